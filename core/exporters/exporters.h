@@ -1,0 +1,50 @@
+// The table of export targets and the one function that runs a row.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/progress.h"
+#include "core/source.h"
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace relievo
+{
+
+struct ExportJob {
+    const State& state;
+    const Resources& resources;
+    std::filesystem::path out; // a file, or a folder (made when missing) when the row says so
+    int size = 0; // texels of the longest side of written textures; 0 keeps each map's own size
+    Progress progress;
+};
+struct Exported {
+    std::vector<std::filesystem::path> files; // what was written
+    Warnings warnings; // what the target will get wrong, or what was left out
+};
+
+struct ExportRow {
+    std::string_view key;
+    std::string_view label;
+    std::string_view suffix; // ".glb"; "" when `out` is a folder
+    Expected<Exported> (*run)(const ExportJob& job);
+    std::string_view help;
+};
+
+Expected<Exported> exportGltf(const ExportJob& job);
+Expected<Exported> exportTextures(const ExportJob& job);
+Expected<Exported> exportPreset(const ExportJob& job);
+
+inline constexpr auto kExports = std::to_array<ExportRow>({
+    {"gltf", "glTF binary", ".glb", exportGltf,
+        "Mesh and material in one file: base color, normal, packed occlusion-roughness-metallic, height in RELIEVO_materials_relief."},
+    {"textures", "Texture folder", "", exportTextures,
+        "Each map as its own file, height at 16 bits, and relief.json with the physical depth."},
+    {"preset", "Relievo preset", ".json", exportPreset, "The material's parameters without its files: a partial State for --preset."},
+});
+
+const ExportRow* findExport(std::string_view key); // nullptr when unknown
+
+} // namespace relievo

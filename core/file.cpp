@@ -1,0 +1,107 @@
+// Reading files whole, and replacing them so that nothing is ever half-written.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/file.h"
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace relievo
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+template <class Container> Expected<Container> readWhole(const fs::path& file, std::size_t limit)
+{
+    std::error_code code;
+    const fs::file_status status = fs::status(file, code);
+    if (!fs::exists(status))
+        return failure(file.string(), "there is no such file", "Check the path");
+    if (fs::is_directory(status))
+        return failure(file.string(), "this is a folder, not a file", "Name a file in it");
+    std::ifstream in(file, std::ios::binary | std::ios::ate);
+    if (!in)
+        return failure(file.string(), std::string("the file cannot be read (") + std::strerror(errno) + ")", "Check its permissions");
+    const auto size = in.tellg();
+    if (size < 0 || std::size_t(size) > limit)
+        return failure(file.string(), "the file is too large", "The limit is " + std::to_string(limit >> 20) + " MiB");
+    Container content;
+    content.resize(std::size_t(size));
+    in.seekg(0);
+    in.read(reinterpret_cast<char*>(content.data()), size);
+    if (in.gcount() != size)
+        return failure(file.string(), "the file could not be read to its end", "Check the disk");
+    return content;
+}
+
+// Closes and removes the temporary file unless it was renamed into place.
+struct Temporary {
+    fs::path path;
+    int handle = -1;
+    ~Temporary()
+    {
+        if (handle >= 0)
+            ::close(handle);
+        if (!path.empty())
+            ::unlink(path.c_str());
+    }
+};
+
+tl::unexpected<Error> writeFailure(const fs::path& file)
+{
+    const int code = errno;
+    const char* hint = code == ENOSPC || code == EDQUOT ? "Free some space or choose another disk"
+        : code == ENOENT                                ? "Create the folder first"
+                                                        : "Choose a folder that you may write to";
+    return failure(file.string(), std::string("the file cannot be written (") + std::strerror(code) + ")", hint);
+}
+} // namespace
+
+Expected<std::string> readText(const fs::path& file, std::size_t limit)
+{
+    return readWhole<std::string>(file, limit);
+}
+Expected<std::vector<std::byte>> readBytes(const fs::path& file, std::size_t limit)
+{
+    return readWhole<std::vector<std::byte>>(file, limit);
+}
+
+Expected<void> writeAtomically(const fs::path& file, std::span<const std::byte> bytes)
+{
+    if (fs::is_directory(file))
+        return failure(file.string(), "this is a folder, not a file", "Name a file");
+    std::string name = file.string() + ".XXXXXX";
+    Temporary temporary;
+    temporary.handle = ::mkstemp(name.data());
+    if (temporary.handle < 0)
+        return writeFailure(file);
+    temporary.path = name;
+    for (std::size_t done = 0; done < bytes.size();) {
+        const ssize_t written = ::write(temporary.handle, bytes.data() + done, bytes.size() - done);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return writeFailure(file);
+        done += std::size_t(written);
+    }
+    // mkstemp makes files private; a saved file gets the rights that any new file would get.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(temporary.handle, 0666 & ~mask) != 0 || ::fsync(temporary.handle) != 0)
+        return writeFailure(file);
+    if (::rename(name.c_str(), file.c_str()) != 0)
+        return writeFailure(file);
+    temporary.path.clear();
+    return {};
+}
+
+Expected<void> writeAtomically(const fs::path& file, std::string_view text)
+{
+    return writeAtomically(file, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+} // namespace relievo

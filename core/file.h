@@ -1,0 +1,22 @@
+// Whole files in and out: writes are atomic (beside, flushed, renamed).
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace relievo
+{
+
+// Errors say whether the file is missing, a folder, unreadable or over `limit` bytes.
+Expected<std::string> readText(const std::filesystem::path& file, std::size_t limit = std::size_t(1) << 30);
+Expected<std::vector<std::byte>> readBytes(const std::filesystem::path& file, std::size_t limit = std::size_t(4) << 30);
+
+// The old file stays whole until the new one is: disk full, no permission and a missing folder leave it as it was and no litter.
+Expected<void> writeAtomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
+Expected<void> writeAtomically(const std::filesystem::path& file, std::string_view text);
+
+} // namespace relievo

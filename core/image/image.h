@@ -1,0 +1,52 @@
+// A decoded image: a rectangle of interleaved channels in the precision of its file.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace relievo
+{
+
+enum class PixelType : std::uint8_t { U8, U16, F32 };
+constexpr std::size_t bytesOf(PixelType type)
+{
+    return type == PixelType::U8 ? 1 : type == PixelType::U16 ? 2 : 4;
+}
+
+// Row-major, row 0 at the top, channels interleaved in the order r g b a (or the single channel).
+// Integer types stand for value / max in [0, 1]; F32 is as stored (half floats are widened).
+struct Image {
+    int width = 0, height = 0, channels = 0; // channels 1 to 4
+    PixelType type = PixelType::U8;
+    int storedBits = 8; // bits a channel in the file: 8, 16 (also half float), 32, or odd ones such as 10 and 12
+    bool storedFloat = false;
+    std::vector<std::byte> data; // width * height * channels * bytesOf(type)
+
+    std::size_t texelCount() const { return std::size_t(width) * std::size_t(height); }
+
+    // One channel of one texel as a float; integers are divided by their maximum. No bounds check.
+    float value(int x, int y, int channel) const
+    {
+        const std::size_t at = (std::size_t(y) * std::size_t(width) + std::size_t(x)) * std::size_t(channels) + std::size_t(channel);
+        switch (type) {
+        case PixelType::U8:
+            return float(std::to_integer<unsigned>(data[at])) / 255.f;
+        case PixelType::U16: {
+            std::uint16_t v;
+            std::memcpy(&v, data.data() + at * 2, 2);
+            return float(v) / 65535.f;
+        }
+        case PixelType::F32:
+            break;
+        }
+        float v;
+        std::memcpy(&v, data.data() + at * 4, 4);
+        return v;
+    }
+};
+
+} // namespace relievo

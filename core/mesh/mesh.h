@@ -1,0 +1,59 @@
+// A triangle mesh with everything that relief mapping needs at each vertex.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/progress.h"
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace relievo
+{
+
+// World space in metres, y up, right-handed; counter-clockwise triangles face outwards. UVs are glTF's: v runs down the image.
+struct Vertex {
+    glm::vec3 position; // m
+    glm::vec3 normal; // unit
+    glm::vec2 uv;
+    glm::vec4
+        tangent; // xyz unit, along +u in the tangent plane; w = +-1 so that glTF's bitangent (-v, image up) = cross(normal, tangent) * w
+    // Texture Jacobian (design.md section 3): change of position per unit of u and of v, m; not orthogonal, not equal, not unit.
+    // Degenerate UVs: a sound frame in the tangent plane.
+    glm::vec3 dPdu, dPdv;
+};
+
+struct MeshPart {
+    std::string name, material;
+    std::uint32_t firstIndex = 0, indexCount = 0; // into Mesh::indices
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices; // triples
+    std::vector<MeshPart> parts; // at least one
+    glm::vec3 boundsMin{0.f}, boundsMax{0.f};
+    float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted (design.md section 3); > 0
+    bool fileHasUVs = true, fileHasNormals = true, fileHasTangents = false; // what the file held, before anything was made
+    std::size_t fileVertices = 0; // distinct (position, normal, UV) tuples of the file, for `info`
+    Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped" ...
+};
+
+// Shapes made by formula, largest size 1 m, centred (design.md section 3).
+inline constexpr std::array<std::string_view, 5> kShapes = {"plane", "sphere", "cylinder", "torus", "box"};
+
+// nameOrFile: a row of kShapes, or a file: .gltf .glb .obj .ply .stl .off. Errors name the file and the cure; a file without
+// triangles, with broken indices or missing buffers is refused. Finite positions only; bad normals are remade and told.
+Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress = {});
+
+// `info --json` of cli.md for a mesh.
+std::string meshJson(const Mesh& mesh);
+
+} // namespace relievo

@@ -1,0 +1,45 @@
+// Opening what the user named, and loading what a State needs: the one way in for the window and the command line.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/image/environment.h"
+#include "core/image/material.h"
+#include "core/image/texture_set.h"
+#include "core/mesh/mesh.h"
+#include "core/progress.h"
+#include "core/state/state.h"
+#include <memory>
+#include <string>
+
+namespace relievo
+{
+
+// The large data behind a State. Cheap to copy; members are never null after loadResources.
+struct Resources {
+    std::shared_ptr<const Material> material;
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Environment> environment;
+    // What the State named when these were loaded: decides what must be loaded again.
+    std::string meshName, environmentName;
+};
+
+// SOURCE of cli.md: "*.relievo", a folder, an image of a set, a single image, or "sample:KEY". The result is `base` with the maps
+// (and for a project everything) replaced. A sample also sets its depth.
+struct Opened {
+    State state;
+    DecodedImages images; // spares loadResources a second decode
+    Warnings warnings;
+};
+Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress = {});
+
+// Whether `file` is a mesh by its suffix (gltf glb obj ply stl off), for drag and drop and `info`.
+bool isMeshFile(const std::filesystem::path& file);
+bool isProjectFile(const std::filesystem::path& file);
+
+// Loads what changed against `previous` (which may be empty). A mesh or environment that cannot be read is an error; missing maps
+// are warnings in the material. Cancelled: error with what == "cancelled".
+Expected<Resources> loadResources(
+    const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress = {});
+
+} // namespace relievo

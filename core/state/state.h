@@ -1,0 +1,60 @@
+// The State: everything that decides the picture, as one plain value (design.md section 1.3).
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/state/map_slots.h"
+#include "core/state/parameters.h"
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace relievo
+{
+
+struct Camera {
+    float yaw = 30.f; // degrees about y; 0 looks from +z
+    float pitch = 35.f; // degrees above the horizon; 90 looks straight down
+    float fov = 35.f; // degrees, vertical
+    std::optional<float> distance; // m from eye to target; nothing: frames the mesh
+    std::optional<glm::vec3> target; // m; nothing: the centre of the mesh
+    bool operator==(const Camera&) const = default;
+};
+
+// One picture of the window: a technique, and the parameters that differ from the shared ones.
+struct Pane {
+    std::string technique = "relief";
+    std::map<std::string, Value> overrides; // by parameter key
+    bool operator==(const Pane&) const = default;
+};
+
+struct State {
+    std::string name = "Untitled";
+    Parameters parameters;
+    MapSlots slots;
+    std::string mesh = "plane"; // a shape's key or an absolute path
+    std::string environment = "studio"; // "studio" or an absolute path
+    Camera camera;
+    std::string view = "shaded";
+    std::vector<Pane> panes = {Pane{}}; // one or two
+    bool operator==(const State&) const = default;
+};
+
+// The parameters that pane `index` is drawn with: the shared ones under the pane's overrides.
+Parameters effectiveParameters(const State& state, std::size_t pane);
+
+// metresPerUV as set, or as measured of the mesh when the parameter is 0; never 0.
+float metresPerUV(const Parameters& parameters, float measuredOfMesh);
+// D: black-to-white distance in metres = depth x metresPerUV / tiling.
+float physicalDepth(const Parameters& parameters, float measuredOfMesh);
+
+// Applies "KEY=VALUE" of --set. Unknown key, wrong kind or out of range: an error that names the key and what is allowed.
+Expected<void> setParameter(State& state, std::string_view assignment);
+// Applies "yaw=30,pitch=35,distance=2,target=0:1:0,fov=35" of --camera (any subset); also reads what toText(camera) wrote.
+Expected<void> setCamera(Camera& camera, std::string_view text);
+std::string toText(const Camera& camera);
+
+} // namespace relievo

@@ -1,0 +1,34 @@
+// The table of views: what a pane can show of the material.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace relievo
+{
+
+struct ViewRow {
+    std::string_view key;
+    std::string_view label;
+    std::string_view file; // under shaders/
+    std::string_view unit; // of the numbers of a heat map's legend; "" for pictures
+    bool isHeat; // drawn with the colour-blind-safe heat map and a legend
+    bool isColor; // goes through exposure, tone curve and sRGB; else values are shown as they are
+    std::string_view help;
+};
+
+inline constexpr auto kViews = std::to_array<ViewRow>({
+    {"shaded", "Shaded", "views/shaded.glsl", "", false, true, "The lit material."},
+    {"color", "Base color", "views/color.glsl", "", false, true, "Base color where the search lands, unlit."},
+    {"normal", "Normal", "views/normal.glsl", "", false, false, "World-space normal, as n / 2 + 1/2."},
+    {"depth", "Depth", "views/depth.glsl", "depth", true, false, "Depth that the search found: 0 on the surface, 1 deepest."},
+    {"fetches", "Fetches", "views/fetches.glsl", "fetches", true, false, "Texture reads of the search at each pixel."},
+    {"shadow", "Shadow", "views/shadow.glsl", "", false, false, "Self-shadow alone: white lit, black shadowed."},
+    {"error", "Error", "views/error.glsl", "depth", true, false,
+        "Difference between the depth found and the exact first hit at full resolution, as a share of the depth."},
+});
+
+const ViewRow* findView(std::string_view key); // nullptr when unknown
+
+} // namespace relievo
