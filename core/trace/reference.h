@@ -5,8 +5,7 @@
 #include "core/image/height_field.h"
 #include "core/trace/ray.h"
 
-namespace relievo
-{
+namespace relievo {
 
 // Smallest t in [0, 1] with 1 - h(uv(t)) <= t. There always is one: at t = 1 every point lies at or below the surface.
 // Walks the cells between texel centres in order (Amanatides and Woo 1987); in each the surface along the ray is a quadratic,
