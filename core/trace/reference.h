@@ -12,7 +12,7 @@ namespace relievo {
 // solved in closed form. A ray that is not finite: {false, 1, (0, 0), 0}.
 // At most kMaxReferenceCells cells are visited; a ray that crosses more (a lateral travel of millions of texels) ends there as
 // a miss: {false, 1, uv + duv, cells}.
-inline constexpr int kMaxReferenceCells = 1 << 24;
+inline constexpr int kMaxReferenceCells = 1 << 22;
 SearchHit exactHit(const HeightField& field, const SearchRay& ray);
 
 } // namespace relievo
