@@ -4,6 +4,7 @@
 #include "core/image/process_client.h"
 #include <boost/process/child.hpp>
 #include <boost/process/env.hpp>
+#include <boost/process/exe.hpp>
 #include <boost/process/io.hpp>
 #include <boost/process/posix.hpp>
 #include <cerrno>
