@@ -4,8 +4,7 @@
 #include "core/state/map_slots.h"
 #include <algorithm>
 
-namespace relievo
-{
+namespace relievo {
 
 std::optional<MapKind> findMapKind(std::string_view key)
 {
