@@ -99,6 +99,8 @@ bool isTag(std::string_view word)
         return true;
     const std::size_t digits = std::size_t(std::ranges::find_if_not(word, isDigit) - word.begin());
     const std::string_view number = word.substr(0, digits), rest = word.substr(digits);
+    if (word.starts_with("lod") && allDigits(word.substr(3)))
+        return true;
     if (digits == 0)
         return word.size() > 1 && (word[0] == 'u' || word[0] == 'f') && listed("8 16 32", word.substr(1));
     if (rest == "k" || rest == "px" || rest == "bit" || rest == "bits" || rest == "bpc")
