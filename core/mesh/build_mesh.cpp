@@ -11,11 +11,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using Corner = RawMesh::Corner;
 constexpr std::uint32_t kNone = RawMesh::kNone;
 // Beyond this, squares of lengths leave the range of float.

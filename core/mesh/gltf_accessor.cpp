@@ -6,11 +6,9 @@
 #include <cstring>
 #include <limits>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 // Elements that may be made without a byte of file behind them (an accessor of zeros).
 constexpr std::size_t kMostZeros = std::size_t(1) << 24;
 const char* const kHint = "Check the file with a glTF validator and export it again";

@@ -7,8 +7,7 @@
 #include <tiny_gltf.h>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // The elements of accessor `index` as floats, `components` each (3 for positions); integers are normalized when the accessor
 // says so, sparse values are put in place. Errors name the accessor and what it breaks.

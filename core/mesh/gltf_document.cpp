@@ -7,11 +7,9 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using Json = nlohmann::json;
 const char* const kDamaged = "Check the file with a glTF validator and export it again";
 

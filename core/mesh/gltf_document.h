@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <tiny_gltf.h>
 
-namespace relievo
-{
+namespace relievo {
 
 // .gltf or .glb by content, not by suffix. Pictures are not loaded. Errors name the file and the cure.
 struct GltfDocument {

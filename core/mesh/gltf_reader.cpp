@@ -10,11 +10,9 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using Corner = RawMesh::Corner;
 const char* const kDamaged = "Check the file with a glTF validator and export it again";
 
@@ -38,8 +36,7 @@ glm::mat4 localMatrix(const tinygltf::Node& node)
 }
 
 // Gathers a scene's primitives into one RawMesh.
-class Gatherer
-{
+class Gatherer {
 public:
     Gatherer(const tinygltf::Model& model, std::string where, const Progress& progress)
         : m_model(model)

@@ -6,11 +6,9 @@
 #include "core/mesh/shapes.h"
 #include <nlohmann/json.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 struct ReaderRow {
     std::string_view suffix; // lower case
     Expected<RawMesh> (*read)(const std::filesystem::path&, const Progress&);

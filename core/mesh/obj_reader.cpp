@@ -10,11 +10,9 @@
 #include <algorithm>
 #include <map>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using Corner = RawMesh::Corner;
 
 // UTF-16 (with its mark) becomes UTF-8's ASCII part: OBJ keywords and numbers need no more. UTF-8's mark is removed.
@@ -31,8 +29,7 @@ std::string plainText(const std::string& text)
     return plain;
 }
 
-class ObjParser
-{
+class ObjParser {
 public:
     ObjParser(std::string where, const Progress& progress) : m_where(std::move(where)), m_progress(progress) { }
 

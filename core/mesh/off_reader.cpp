@@ -8,11 +8,9 @@
 #include "core/mesh/raw_mesh.h"
 #include "core/mesh/text_cursor.h"
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using Corner = RawMesh::Corner;
 
 // Lines that are neither empty nor a comment.
@@ -26,8 +24,7 @@ std::optional<std::string_view> contentLine(TextCursor& lines)
     return std::nullopt;
 }
 
-class OffParser
-{
+class OffParser {
 public:
     explicit OffParser(std::string where) : m_where(std::move(where)) { }
 

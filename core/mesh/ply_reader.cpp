@@ -12,11 +12,9 @@
 #include <cmath>
 #include <cstring>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using Corner = RawMesh::Corner;
 
 enum class Type { I8, U8, I16, U16, I32, U32, F32, F64 };
@@ -103,8 +101,7 @@ Expected<Header> parseHeader(std::string_view text, const std::string& where)
 }
 
 // The numbers of the file one after the other, never beyond its end.
-class Values
-{
+class Values {
 public:
     Values(std::string_view data, Header::Format format)
         : m_text(format == Header::Format::Text ? data : std::string_view())
@@ -199,8 +196,7 @@ std::optional<std::size_t> slotOf(std::string_view name)
     return std::nullopt;
 }
 
-class PlyParser
-{
+class PlyParser {
 public:
     PlyParser(std::string where, std::string_view data, const Header& header, const Progress& progress)
         : m_where(std::move(where))

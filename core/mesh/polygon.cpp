@@ -5,11 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using Corner = RawMesh::Corner;
 using Plane = std::vector<glm::dvec2>; // the polygon seen along its normal, counter-clockwise
 

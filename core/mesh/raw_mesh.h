@@ -5,8 +5,7 @@
 #include "core/mesh/mesh.h"
 #include <span>
 
-namespace relievo
-{
+namespace relievo {
 
 // Triangles whose corners name a position and perhaps a normal, UV and tangent, each in its own list (as OBJ does).
 struct RawMesh {

@@ -14,17 +14,14 @@
 #include <mutex>
 #include <sstream>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using namespace OpenMesh;
 using Corner = RawMesh::Corner;
 
 // Collects vertices and faces as they come; what relief does not need (colours, edges, states) is passed over.
-class Collector : public IO::BaseImporter
-{
+class Collector : public IO::BaseImporter {
 public:
     explicit Collector(RawMesh& raw) : m_raw(raw) { }
     std::size_t badFaces() const { return m_badFaces; }
@@ -99,8 +96,7 @@ private:
 };
 
 // OpenMesh's readers keep state and write to its error stream: one at a time, and silent.
-class SilentOpenMesh
-{
+class SilentOpenMesh {
 public:
     SilentOpenMesh() { omerr().disable(); }
     ~SilentOpenMesh() { omerr().enable(); }

@@ -7,12 +7,10 @@
 #include <optional>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 // Words of a text, separated by spaces and tabs (and line ends when the text holds them).
-class TextCursor
-{
+class TextCursor {
 public:
     explicit TextCursor(std::string_view text) : m_rest(text) { }
 

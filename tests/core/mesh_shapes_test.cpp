@@ -16,9 +16,7 @@ static Mesh shape(std::string_view key)
     return mesh.value_or(Mesh{});
 }
 
-class Shapes : public testing::TestWithParam<std::string_view>
-{
-};
+class Shapes : public testing::TestWithParam<std::string_view> { };
 
 TEST_P(Shapes, IsOneMetreAndCentred)
 {
