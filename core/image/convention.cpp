@@ -6,18 +6,15 @@
 #include <array>
 #include <cmath>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kFine = 512, kCoarsening = 4; // cells along a side, and fine cells in a coarse one
 constexpr int kFewest = 4; // cells below which nothing is measured
 constexpr int kProbe = 256; // cells along a side where single texels are judged
 constexpr double kUnitTolerance = 0.12; // of a vector's length: 8 bits, compression and filtering
 
 // Running sums of Pearson's correlation.
-class Correlation
-{
+class Correlation {
 public:
     void add(double a, double b)
     {
@@ -177,8 +174,7 @@ double handedness(const Image& normal)
     return handednessOf(coarse(normal, x, width, rows), coarse(normal, y, width, rows));
 }
 
-namespace
-{
+namespace {
 // Correlation of red and green with the slopes of another channel of the same image; no layout is asked.
 double ownAgreement(const Image& image, Channel height)
 {

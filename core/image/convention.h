@@ -5,8 +5,7 @@
 #include "core/image/image.h"
 #include "core/state/map_slots.h"
 
-namespace relievo
-{
+namespace relievo {
 
 // How a normal map stores its vector.
 enum class NormalLayout {

@@ -7,10 +7,8 @@
 #include <optional>
 #include <unordered_map>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 bool isDigit(char c)
 {
     return c >= '0' && c <= '9';

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // One map that a file holds.
 struct MapRole {

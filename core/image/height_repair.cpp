@@ -8,10 +8,8 @@
 #include <cstdio>
 #include <oneapi/tbb/parallel_for.h>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 // Mean of the finite ones among the eight neighbours of (x, y), before any repair.
 float neighbourMean(const std::vector<float>& values, int width, int height, int channels, int x, int y, int c)
 {

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // Replaces NaN and infinities by the mean of their finite neighbours (0 without any); values are width * height * channels.
 // Returns how many there were.

@@ -10,13 +10,11 @@
 #include <fstream>
 #include <mutex>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
 using namespace imageio;
 
-namespace
-{
+namespace {
 struct Helper {
     std::mutex mutex;
     HelperProcess process;
@@ -60,8 +58,7 @@ Error inWords(const Broken& broken, const std::string& where)
     return {"the image library crashed or ran out of memory on this file", where, "The file is probably damaged: export it again"};
 }
 
-class Conversation
-{
+class Conversation {
 public:
     Conversation(HelperProcess& process, const Progress& progress) : m_process(process), m_progress(progress) { }
 

@@ -23,8 +23,7 @@
 //   Write     Data ..., Done                   Data: the encoded file's bytes in order
 //   any       Failed at any point              packet: what, hint
 // The helper ends when its stdin is closed. A reply that stops without Done or Failed means that it died.
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
 enum class Message : std::uint32_t { Info = 1, Read, ReadBytes, Write, Header, Data, Done, Failed };
 
@@ -38,8 +37,7 @@ inline constexpr int kMaxSide = 16384; // texels a side that are kept; a larger 
 inline constexpr std::size_t kMemoryLimitMiB = 3072; // address space of the helper
 
 // The bytes of a packet: fixed-size numbers, and strings with their length before them.
-class PacketWriter
-{
+class PacketWriter {
 public:
     void put(std::uint64_t number)
     {
@@ -62,8 +60,7 @@ private:
 };
 
 // Reads what PacketWriter wrote; past the end everything is 0 or empty and ok() is false.
-class PacketReader
-{
+class PacketReader {
 public:
     explicit PacketReader(std::span<const std::byte> bytes) : m_rest(bytes) { }
     std::uint64_t number()

@@ -9,10 +9,8 @@
 #include <cmath>
 #include <oneapi/tbb/parallel_for.h>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 int precisionOf(const Image& image)
 {
     return image.type == PixelType::U8 ? 8 : image.type == PixelType::U16 ? 16 : 32;

@@ -8,8 +8,7 @@
 #include "core/state/map_slots.h"
 #include <memory>
 
-namespace relievo
-{
+namespace relievo {
 
 // A decoded file as it is shared between maps.
 using DecodedFile = std::shared_ptr<const ImageRead>;

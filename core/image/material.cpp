@@ -10,11 +10,9 @@
 #include <mutex>
 #include <oneapi/tbb/parallel_for.h>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
-namespace
-{
+namespace {
 constexpr std::string_view kSamplePrefix = "sample:";
 constexpr int kLargestSample = 8192; // texels a side
 
@@ -56,8 +54,7 @@ std::string fileName(const MapSlot& slot)
 }
 
 // Files and samples by name, each made once.
-class Sources
-{
+class Sources {
 public:
     Sources(const DecodedImages& decoded, const Progress& progress) : m_progress(progress)
     {
@@ -138,8 +135,7 @@ void addOnce(Warnings& warnings, const Warning& warning)
         warnings.push_back(warning);
 }
 
-class Loader
-{
+class Loader {
 public:
     Loader(const MapSlots& slots, const Material* previous) : m_previous(previous) { m_material.slots = slots; }
 

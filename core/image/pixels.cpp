@@ -8,10 +8,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_reduce.h>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr std::size_t kGrain = 1 << 16; // values a task
 constexpr int kSamplesPerCell = 4; // along each side
 

@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // Calls work(texels, maximum) with the values in their own type: maximum stands for 1 (1 for floats).
 template <class Work> auto withTexels(const Image& image, Work work)

@@ -16,10 +16,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr std::chrono::seconds kPatience{20}; // without a byte moving
 constexpr int kPollMs = 50; // how often a cancel is looked for
 constexpr int kPipeBytes = 1 << 20;

@@ -7,14 +7,12 @@
 #include "core/progress.h"
 #include <memory>
 
-namespace relievo
-{
+namespace relievo {
 
 enum class HelperTrouble { None, NotFound, Died, TimedOut, Cancelled };
 
 // Not thread safe: one conversation at a time (the caller locks).
-class HelperProcess
-{
+class HelperProcess {
 public:
     HelperProcess();
     ~HelperProcess(); // kills it

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 bool isLossy(const std::filesystem::path& file)
 {
     const std::string suffix = file.extension().string();

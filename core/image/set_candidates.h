@@ -7,8 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 struct Candidate {
     std::filesystem::path file;

@@ -7,11 +7,9 @@
 #include <set>
 #include <tuple>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
-namespace
-{
+namespace {
 using Groups = std::map<std::string, FileGroup>;
 
 std::set<MapKind> kindsOf(const FileGroup& group)

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 struct NamedFile {
     std::filesystem::path file;

@@ -10,10 +10,8 @@
 #include <cstdio>
 #include <oneapi/tbb/parallel_for_each.h>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 std::string nameOf(const FoundMap& map)
 {
     return map.file.filename().string();

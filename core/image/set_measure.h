@@ -4,8 +4,7 @@
 #pragma once
 #include "core/image/texture_set.h"
 
-namespace relievo
-{
+namespace relievo {
 
 // What the names claim; Unsure where they do not.
 struct NamedConventions {

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <array>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
-namespace
-{
+namespace {
 constexpr std::string_view kImageSuffixes = "png jpg jpeg tif tiff exr hdr rgbe tga bmp dds webp psd ppm pgm pnm";
 struct Container {
     std::string_view suffix, label;

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 struct SetPlan {
     std::string name;

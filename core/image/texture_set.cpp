@@ -11,13 +11,10 @@
 #include <array>
 #include <oneapi/tbb/parallel_for.h>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
-namespace
-{
-class Opener
-{
+namespace {
+class Opener {
 public:
     Opener(SetPlan plan, const fs::path& source, const Progress& progress) : m_plan(std::move(plan)), m_source(source), m_progress(progress)
     {

@@ -4,10 +4,8 @@
 #include "core/image/texture_set.h"
 #include <nlohmann/json.hpp>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 nlohmann::ordered_json jsonOf(const FoundMap& map, const std::filesystem::path& folder)
 {
     return {{"kind", row(map.kind).key}, {"file", map.file.lexically_relative(folder).string()},

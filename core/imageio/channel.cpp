@@ -5,8 +5,7 @@
 #include <cerrno>
 #include <unistd.h>
 
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
 bool Channel::receive(std::span<std::byte> bytes)
 {

@@ -8,16 +8,14 @@
 #include <utility>
 #include <vector>
 
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
 // A refusal in words for the user; `what` is one clause without full stop.
 struct Refusal {
     std::string what, hint;
 };
 
-class Channel
-{
+class Channel {
 public:
     Channel(int in, int out) : m_in(in), m_out(out) { }
     bool receive(std::span<std::byte> bytes); // false: the editor is gone

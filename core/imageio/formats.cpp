@@ -4,10 +4,8 @@
 #include "core/imageio/formats.h"
 #include <algorithm>
 
-namespace relievo::imageio
-{
-namespace
-{
+namespace relievo::imageio {
+namespace {
 bool listHas(std::string_view list, std::string_view word)
 {
     for (std::size_t at = 0; at < list.size();) {

@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
 struct FormatRow {
     std::string_view name; // OpenImageIO's

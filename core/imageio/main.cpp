@@ -15,8 +15,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace
-{
+namespace {
 using namespace relievo::imageio;
 
 void limitMemory()

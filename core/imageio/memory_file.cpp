@@ -6,8 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
 MemoryFile::MemoryFile() : m_handle(::memfd_create("relievo-image", MFD_CLOEXEC)), m_ok(m_handle >= 0) { }
 

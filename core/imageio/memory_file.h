@@ -6,11 +6,9 @@
 #include <span>
 #include <string>
 
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
-class MemoryFile
-{
+class MemoryFile {
 public:
     MemoryFile(); // ok() is false when the system refuses
     ~MemoryFile();

@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <fstream>
 
-namespace relievo::imageio
-{
-namespace
-{
+namespace relievo::imageio {
+namespace {
 constexpr std::string_view kDamaged = "The file is damaged: export it again from the program that made it";
 
 std::vector<std::byte> firstBytes(const std::string& file)

@@ -9,8 +9,7 @@
 #include <memory>
 #include <tl/expected.hpp>
 
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
 // A rectangle of texels.
 struct Window {

@@ -6,10 +6,8 @@
 #include "core/imageio/picture.h"
 #include <algorithm>
 
-namespace relievo::imageio
-{
-namespace
-{
+namespace relievo::imageio {
+namespace {
 constexpr std::size_t kStripBytes = std::size_t(1) << 20; // of pixels sent at once
 constexpr std::size_t kMaxStripBytes = std::size_t(1) << 30; // a strip of tiles cannot be cut
 
@@ -19,8 +17,7 @@ OIIO::TypeDesc libraryType(PixelType type)
 }
 
 // Averages boxes of factorX x factorY texels of rows as they come.
-template <class Texel> class BoxReducer
-{
+template <class Texel> class BoxReducer {
 public:
     BoxReducer(Channel& channel, const Picture& picture)
         : m_channel(channel)
@@ -68,8 +65,7 @@ private:
     int m_summed = 0, m_seen = 0; // rows
 };
 
-class PixelStream
-{
+class PixelStream {
 public:
     PixelStream(Channel& channel, Picture& picture)
         : m_channel(channel)

@@ -5,8 +5,7 @@
 #include "core/imageio/channel.h"
 #include <string>
 
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
 // Largest image that is read at all; what exceeds kMaxSide or kMaxTexels is box-reduced on the way.
 inline constexpr int kMaxFileSide = 1 << 17; // texels

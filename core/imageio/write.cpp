@@ -10,10 +10,8 @@
 #include <algorithm>
 #include <optional>
 
-namespace relievo::imageio
-{
-namespace
-{
+namespace relievo::imageio {
+namespace {
 constexpr std::size_t kBlockBytes = std::size_t(1) << 20;
 
 OIIO::TypeDesc typeOf(PixelType type)
@@ -45,8 +43,7 @@ int sourceChannel(int to, int from, int count)
     return from == 2 && count == 4 && to == 3 ? 1 : 0;
 }
 
-class Encoder
-{
+class Encoder {
 public:
     Encoder(const FormatRow& format, const WriteRequest& request)
         : m_format(format)

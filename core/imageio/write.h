@@ -4,8 +4,7 @@
 #pragma once
 #include "core/imageio/channel.h"
 
-namespace relievo::imageio
-{
+namespace relievo::imageio {
 
 // Takes the pixels that follow the request, and answers with the encoded file's bytes.
 void answerWrite(Channel& channel, const WriteRequest& request);

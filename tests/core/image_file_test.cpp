@@ -12,8 +12,7 @@ using namespace relievo;
 using namespace relievo::test;
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 struct RoundTrip {
     const char* suffix;
     PixelType type, back;
@@ -42,9 +41,7 @@ std::vector<RoundTrip> losslessTrips()
 }
 } // namespace
 
-class ImageRoundTrip : public testing::TestWithParam<RoundTrip>
-{
-};
+class ImageRoundTrip : public testing::TestWithParam<RoundTrip> { };
 
 TEST_P(ImageRoundTrip, KeepsSizeTypeAndValues)
 {

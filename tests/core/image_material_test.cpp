@@ -11,8 +11,7 @@ using namespace relievo;
 using namespace relievo::test;
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 constexpr int kSize = 32;
 
 MapSlot& slot(MapSlots& slots, MapKind kind)

@@ -13,12 +13,10 @@
 #include <string>
 #include <unistd.h>
 
-namespace relievo::test
-{
+namespace relievo::test {
 
 // A folder that vanishes with the test.
-class TemporaryFolder
-{
+class TemporaryFolder {
 public:
     TemporaryFolder()
     {

@@ -8,8 +8,7 @@
 
 using namespace relievo;
 
-namespace
-{
+namespace {
 struct NameCase {
     const char* name;
     const char* roles; // "kind" or "kind:channel", "" for none; packed ones in order

@@ -12,8 +12,7 @@ using namespace relievo;
 using namespace relievo::test;
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 constexpr int kSize = 64;
 
 const FoundMap* find(const TextureSet& set, MapKind kind)

@@ -9,7 +9,7 @@ compiler=${CXX:-c++} header=$source/core/state/parameters.h
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() { echo "$1"; head -20 "$work/log" 2>/dev/null; exit 1; }
-compiles() { "$compiler" -std=c++20 -fsyntax-only -x c++ "$1" -I"$source" 2>"$work/log"; }
+compiles() { "$compiler" -std=c++20 -fsyntax-only -I"$source" -x c++ - <<< "#include \"$(realpath "$1")\"" 2>"$work/log"; }
 
 [ "$(diff "$header" "$widened" | grep -c '^[<>]')" -eq 2 ] || fail 'the new parameter did not take exactly two places'
 grep -v '&Parameters::zebra' "$widened" > "$work/member.h"

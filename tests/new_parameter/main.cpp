@@ -4,6 +4,8 @@
 #include "app/cli/command.h"
 #include "core/shader_text/program_text.h"
 #include "core/state/state_json.h"
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <cstdio>
 
 int main(int argc, char** argv)
