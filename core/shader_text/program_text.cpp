@@ -160,7 +160,7 @@ std::string_view constantOf(MapKind kind)
 {
     switch (kind) {
     case MapKind::Color:
-        return "vec3(0.5f)";
+        return "vec3(0.4f)";
     case MapKind::Metallic:
         return "0.0f";
     case MapKind::Emission:

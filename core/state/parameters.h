@@ -45,9 +45,9 @@ struct Parameters { // the initialisers ARE the defaults
     // Light
     float lightYaw = -50.f;
     float lightPitch = 40.f;
-    float lightIntensity = 2.2f;
+    float lightIntensity = 1.4f;
     glm::vec3 lightColor{1.f, 0.96f, 0.9f};
-    float environmentIntensity = 0.6f;
+    float environmentIntensity = 0.45f;
     float environmentYaw = 0.f;
     float exposure = 0.f;
     // View
