@@ -183,9 +183,13 @@ std::optional<Image> normalImage(const Material& material, const Parameters& par
 std::string fileStem(const std::string& name)
 {
     std::string stem;
+    bool capital = false; // words are joined: in "Hammered_metal_Roughness" a reader takes "metal_Roughness" for a packed map
     for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-        stem += plain ? c : '_';
+        const bool lower = c >= 'a' && c <= 'z';
+        const bool plain = lower || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        if (plain)
+            stem += capital && lower ? char(c - 'a' + 'A') : c;
+        capital = !plain;
     }
     while (!stem.empty() && stem.front() == '.')
         stem.erase(stem.begin());

@@ -161,7 +161,7 @@ TEST_F(Export, FolderHoldsEachMapAndTheNumbers)
     // The folder opens again as the set it was.
     const Expected<TextureSet> set = openTextureSet(m_folder / "new/folder");
     ASSERT_TRUE(set) << message(set.error());
-    EXPECT_EQ(set->maps.size(), 5u);
+    EXPECT_EQ(set->maps.size(), 5u) << textureSetJson(*set);
 }
 
 TEST_F(Export, PresetIsReadBack)
@@ -185,6 +185,14 @@ TEST_F(Export, WhatCannotBeWrittenIsAnErrorAndLeavesNothing)
         EXPECT_FALSE(exported.error().hint.empty());
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()), 2);
+}
+
+TEST(ExportImages, FileStemsAreSafe)
+{
+    EXPECT_EQ(fileStem("Hammered metal"), "HammeredMetal");
+    EXPECT_EQ(fileStem("../a b/\\\"c"), "aBC");
+    EXPECT_EQ(fileStem("\xC3\xA9"), "material");
+    EXPECT_EQ(fileStem("rock_2K-v1.2"), "rock_2K-v1.2");
 }
 
 TEST(ExportImages, ReductionKeepsTheMean)
