@@ -1,0 +1,297 @@
+// Export target "gltf": mesh and material as one .glb, relief in the extension RELIEVO_materials_relief.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exporters/map_images.h"
+#include "core/file.h"
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+namespace {
+using Json = nlohmann::ordered_json;
+constexpr const char* kRelief = "RELIEVO_materials_relief";
+constexpr const char* kTransform = "KHR_texture_transform";
+constexpr const char* kBrighter = "KHR_materials_emissive_strength";
+constexpr int kFloat = 5126, kUint = 5125, kVertices = 34962, kIndices = 34963; // glTF's numbers for types and targets
+
+class GltfWriter {
+public:
+    explicit GltfWriter(const ExportJob& job)
+        : m_job(job)
+        , m_parameters(effectiveParameters(job.state, 0))
+        , m_material(*job.resources.material)
+    {
+    }
+
+    Expected<Exported> write()
+    {
+        m_document["asset"] = {{"version", "2.0"}, {"generator", "Relievo " RELIEVO_VERSION}};
+        addMesh();
+        m_job.progress.at(0.2f);
+        Json material = {{"name", m_job.state.name}};
+        for (const auto step :
+            {&GltfWriter::addColor, &GltfWriter::addPacked, &GltfWriter::addNormal, &GltfWriter::addEmission, &GltfWriter::addRelief}) {
+            if (m_job.progress.cancelled())
+                return failure(m_job.out.string(), "cancelled");
+            if (Expected<void> added = (this->*step)(material); !added)
+                return tl::unexpected(added.error());
+        }
+        m_job.progress.at(0.9f);
+        m_document["materials"] = Json::array({material});
+        const Json wrap = m_parameters.wrap == 0 ? 10497 : 33071;
+        if (m_document.contains("textures"))
+            m_document["samplers"] = Json::array({{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", wrap}, {"wrapT", wrap}}});
+        if (!m_extensions.empty())
+            m_document["extensionsUsed"] = m_extensions;
+        return finished();
+    }
+
+private:
+    // Appends to the binary chunk, aligned to four bytes, and returns its buffer view.
+    std::size_t addView(const void* data, std::size_t bytes, int target = 0)
+    {
+        m_binary.resize((m_binary.size() + 3) / 4 * 4);
+        Json view = {{"buffer", 0}, {"byteOffset", m_binary.size()}, {"byteLength", bytes}};
+        if (target != 0)
+            view["target"] = target;
+        const auto* first = static_cast<const std::byte*>(data);
+        m_binary.insert(m_binary.end(), first, first + bytes);
+        m_document["bufferViews"].push_back(std::move(view));
+        return m_document["bufferViews"].size() - 1;
+    }
+
+    std::size_t addAccessor(std::size_t view, std::size_t count, int componentType, const char* type)
+    {
+        m_document["accessors"].push_back({{"bufferView", view}, {"componentType", componentType}, {"count", count}, {"type", type}});
+        return m_document["accessors"].size() - 1;
+    }
+
+    template <class T> std::size_t addAttribute(const std::vector<T>& values, const char* type)
+    {
+        return addAccessor(addView(values.data(), values.size() * sizeof(T), kVertices), values.size(), kFloat, type);
+    }
+
+    // Tangents run along the texture's u as it lies on the mesh: the material may be turned, its normal map turns with it.
+    glm::vec4 tangentOf(const Vertex& vertex) const
+    {
+        const float angle = glm::radians(m_parameters.rotation);
+        if (angle == 0.f)
+            return vertex.tangent;
+        const glm::vec3 t(vertex.tangent), b = glm::cross(vertex.normal, t) * vertex.tangent.w; // b is image up
+        return glm::vec4(glm::normalize(std::cos(angle) * t + std::sin(angle) * b), vertex.tangent.w);
+    }
+
+    void addMesh()
+    {
+        const Mesh& mesh = *m_job.resources.mesh;
+        std::vector<glm::vec3> positions, normals;
+        std::vector<glm::vec2> uvs;
+        std::vector<glm::vec4> tangents;
+        for (const Vertex& vertex : mesh.vertices) {
+            positions.push_back(vertex.position);
+            normals.push_back(vertex.normal);
+            uvs.push_back(vertex.uv);
+            tangents.push_back(tangentOf(vertex));
+        }
+        const std::size_t position = addAttribute(positions, "VEC3");
+        const auto point = [](glm::vec3 p) { return Json::array({p.x, p.y, p.z}); };
+        m_document["accessors"][position]["min"] = point(mesh.boundsMin);
+        m_document["accessors"][position]["max"] = point(mesh.boundsMax);
+        const Json attributes = {{"POSITION", position}, {"NORMAL", addAttribute(normals, "VEC3")},
+            {"TANGENT", addAttribute(tangents, "VEC4")}, {"TEXCOORD_0", addAttribute(uvs, "VEC2")}};
+        Json primitives = Json::array();
+        for (const MeshPart& part : mesh.parts) {
+            const std::size_t view = addView(mesh.indices.data() + part.firstIndex, part.indexCount * sizeof(std::uint32_t), kIndices);
+            primitives.push_back(
+                {{"attributes", attributes}, {"indices", addAccessor(view, part.indexCount, kUint, "SCALAR")}, {"material", 0}});
+        }
+        m_document["meshes"] = Json::array({{{"name", mesh.name}, {"primitives", primitives}}});
+        m_document["nodes"] = Json::array({{{"name", mesh.name}, {"mesh", 0}}});
+        m_document["scenes"] = Json::array({{{"nodes", {0}}}});
+        m_document["scene"] = 0;
+    }
+
+    // A texture of an 8-bit image, as what a material refers to it by.
+    Expected<Json> addTexture(const Image& image, const std::string& name, bool srgb)
+    {
+        const Expected<std::vector<std::byte>> png = encodePng(image, srgb);
+        if (!png)
+            return tl::unexpected(png.error());
+        m_document["images"].push_back({{"name", name}, {"mimeType", "image/png"}, {"bufferView", addView(png->data(), png->size())}});
+        m_document["textures"].push_back({{"sampler", 0}, {"source", m_document["images"].size() - 1}});
+        return reference(m_document["textures"].size() - 1);
+    }
+
+    Json reference(std::size_t texture)
+    {
+        Json info = {{"index", texture}};
+        const Parameters& p = m_parameters;
+        if (p.tiling == 1.f && p.offsetU == 0.f && p.offsetV == 0.f && p.rotation == 0.f)
+            return info;
+        // Its rotation turns the UVs counter-clockwise as seen on the image, which turns the image clockwise: the other way round.
+        info["extensions"][kTransform]
+            = {{"offset", {p.offsetU, p.offsetV}}, {"rotation", -glm::radians(p.rotation)}, {"scale", {p.tiling, p.tiling}}};
+        use(kTransform);
+        return info;
+    }
+
+    void use(const char* extension)
+    {
+        if (std::ranges::find(m_extensions, extension) == m_extensions.end())
+            m_extensions.push_back(extension);
+    }
+
+    Expected<void> addColor(Json& material)
+    {
+        Json& pbr = material["pbrMetallicRoughness"];
+        const glm::vec3 tint = m_parameters.tint;
+        pbr["baseColorFactor"] = {tint.x, tint.y, tint.z, 1.f};
+        const std::optional<Image> color = baseColorImage(m_material, m_job.size);
+        if (!color)
+            return {};
+        Expected<Json> texture = addTexture(*color, "color", true);
+        if (!texture)
+            return tl::unexpected(texture.error());
+        pbr["baseColorTexture"] = *texture;
+        if (m_material.map(MapKind::Opacity)) {
+            material["alphaMode"] = "MASK";
+            material["alphaCutoff"] = 0.5f;
+        }
+        return {};
+    }
+
+    Expected<void> addPacked(Json& material)
+    {
+        Json& pbr = material["pbrMetallicRoughness"];
+        pbr["roughnessFactor"] = m_parameters.roughness;
+        pbr["metallicFactor"] = m_material.map(MapKind::Metallic) ? m_parameters.metallic : 0.f;
+        const std::optional<Image> packed = packedImage(m_material, m_job.size);
+        if (!packed)
+            return {};
+        Expected<Json> texture = addTexture(*packed, "occlusion_roughness_metallic", false);
+        if (!texture)
+            return tl::unexpected(texture.error());
+        pbr["metallicRoughnessTexture"] = *texture;
+        if (m_material.map(MapKind::AmbientOcclusion)) {
+            material["occlusionTexture"] = *texture;
+            material["occlusionTexture"]["strength"] = m_parameters.aoStrength;
+        }
+        return {};
+    }
+
+    Expected<void> addNormal(Json& material)
+    {
+        const std::optional<Image> normal = normalImage(m_material, m_parameters, m_job.progress);
+        if (!normal)
+            return {};
+        Expected<Json> texture = addTexture(eightBit(reduced(*normal, m_job.size, Averaging::Normals), false), "normal", false);
+        if (!texture)
+            return tl::unexpected(texture.error());
+        material["normalTexture"] = *texture;
+        material["normalTexture"]["scale"] = m_parameters.normalStrength;
+        return {};
+    }
+
+    Expected<void> addEmission(Json& material)
+    {
+        const Image* emission = m_material.map(MapKind::Emission);
+        if (!emission || m_parameters.emission <= 0.f)
+            return {};
+        Expected<Json> texture = addTexture(eightBit(reduced(*emission, m_job.size, Averaging::Srgb), true), "emission", true);
+        if (!texture)
+            return tl::unexpected(texture.error());
+        material["emissiveTexture"] = *texture;
+        const float factor = std::min(m_parameters.emission, 1.f);
+        material["emissiveFactor"] = {factor, factor, factor};
+        if (m_parameters.emission > 1.f) {
+            material["extensions"][kBrighter] = {{"emissiveStrength", m_parameters.emission}};
+            use(kBrighter);
+        }
+        return {};
+    }
+
+    Expected<void> addRelief(Json& material)
+    {
+        if (!m_material.height) {
+            m_exported.warnings.push_back({"no-height", "The material has no height map: the file holds no relief."});
+            return {};
+        }
+        Expected<Json> texture = addTexture(reduced(heightImage(*m_material.height, 8), m_job.size, Averaging::Plain), "height", false);
+        if (!texture)
+            return tl::unexpected(texture.error());
+        const float measured = m_job.resources.mesh->metresPerUV;
+        const Json numbers = {{"depth", physicalDepth(m_parameters, measured)}, {"midlevel", m_parameters.midlevel},
+            {"metresPerUV", metresPerUV(m_parameters, measured)},
+            {"technique", m_job.state.panes.empty() ? Pane().technique : m_job.state.panes.front().technique},
+            {"minSteps", m_parameters.minSteps}, {"maxSteps", m_parameters.maxSteps}, {"refineSteps", m_parameters.refineSteps}};
+        Json relief = {{"heightTexture", *texture}};
+        relief.update(numbers);
+        material["extensions"][kRelief] = relief;
+        material["extras"]["relievo"] = numbers;
+        use(kRelief);
+        m_exported.warnings.push_back({"gltf-height",
+            "Viewers that do not know RELIEVO_materials_relief show the normal map only; the height map at 16 bits lies beside the file."});
+        if (m_parameters.midlevel < 1.f)
+            m_exported.warnings.push_back({"gltf-midlevel",
+                "The mesh is written as it is, not pushed out: a reader of the extension must do that for a midlevel below 1."});
+        return {};
+    }
+
+    static void put(std::vector<std::byte>& out, std::uint32_t value)
+    {
+        for (int shift = 0; shift < 32; shift += 8)
+            out.push_back(std::byte(value >> shift & 0xffu));
+    }
+
+    Expected<Exported> finished()
+    {
+        m_binary.resize((m_binary.size() + 3) / 4 * 4);
+        m_document["buffers"] = Json::array({{{"byteLength", m_binary.size()}}});
+        std::string text = m_document.dump(-1, ' ', false, Json::error_handler_t::replace);
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        const std::size_t total = 12 + 8 + text.size() + 8 + m_binary.size();
+        if (total > 0xffffffffu)
+            return failure(m_job.out.string(), "a .glb cannot hold more than 4 GiB", "Export smaller textures with --size");
+        std::vector<std::byte> file;
+        file.reserve(total);
+        for (const std::uint32_t word : {0x46546C67u, 2u, std::uint32_t(total), std::uint32_t(text.size()), 0x4E4F534Au})
+            put(file, word);
+        const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+        file.insert(file.end(), bytes, bytes + text.size());
+        put(file, std::uint32_t(m_binary.size()));
+        put(file, 0x004E4942u);
+        file.insert(file.end(), m_binary.begin(), m_binary.end());
+        if (Expected<void> written = writeAtomically(m_job.out, file); !written)
+            return tl::unexpected(written.error());
+        m_exported.files.push_back(m_job.out);
+        if (!m_material.height)
+            return std::move(m_exported);
+        fs::path beside = m_job.out;
+        beside.replace_filename(m_job.out.stem().string() + "_height.png");
+        if (Expected<void> written = writeImage(beside, reduced(heightImage(*m_material.height, 16), m_job.size, Averaging::Plain));
+            !written)
+            return tl::unexpected(written.error());
+        m_exported.files.push_back(beside);
+        return std::move(m_exported);
+    }
+
+    const ExportJob& m_job;
+    Parameters m_parameters;
+    const Material& m_material;
+    Json m_document = Json::object();
+    std::vector<std::byte> m_binary;
+    std::vector<std::string> m_extensions;
+    Exported m_exported;
+};
+} // namespace
+
+Expected<Exported> exportGltf(const ExportJob& job)
+{
+    return GltfWriter(job).write();
+}
+
+} // namespace relievo

@@ -1,0 +1,34 @@
+// The maps of a material as exporters want them: sizes, precisions and packings.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/exporters/exporters.h"
+
+namespace relievo {
+
+// How the numbers of an image are averaged when it is reduced.
+enum class Averaging { Plain, Srgb, Normals };
+
+// Box-reduced so that its longest side is `size` texels; an image that is not larger (or size 0) comes back as it is.
+// Srgb: averaged as light (F32 is linear already). Normals: made unit again.
+Image reduced(const Image& image, int size, Averaging averaging);
+
+// 8 bits a channel. srgb: F32 values are linear and become encoded; integers stay what they are.
+Image eightBit(const Image& image, bool srgb);
+
+// Heights as one channel of 8 or 16 bits.
+Image heightImage(const HeightField& field, int bits);
+
+// Base colour with opacity as alpha (3 channels when there is none), 8 bits sRGB; nothing when the material has neither.
+std::optional<Image> baseColorImage(const Material& material, int size);
+
+// glTF's packing, 8 bits: red occlusion, green roughness, blue metallic; a missing map is 1 (metallic: 0). Nothing when all are.
+std::optional<Image> packedImage(const Material& material, int size);
+
+// The set's normal map, or one made from height at the parameters' depth (16 bits); nothing without either.
+std::optional<Image> normalImage(const Material& material, const Parameters& parameters, const Progress& progress);
+
+// A file name without characters that systems or shells trip over; never empty.
+std::string fileStem(const std::string& name);
+
+} // namespace relievo

@@ -1,0 +1,106 @@
+// Export target "textures": a folder with each map as its own file, and relief.json with the physical numbers.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exporters/map_images.h"
+#include "core/file.h"
+#include "core/maps/maps.h"
+#include <nlohmann/json.hpp>
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+struct FileRow {
+    MapKind kind;
+    std::string_view suffix; // names that texture set readers find
+    std::string_view convention;
+};
+constexpr FileRow kFiles[] = {
+    {MapKind::Height, "Height", "height"},
+    {MapKind::Color, "Color", "srgb"},
+    {MapKind::Normal, "NormalGL", "gl"},
+    {MapKind::Roughness, "Roughness", "linear"},
+    {MapKind::Gloss, "Glossiness", "linear"},
+    {MapKind::Metallic, "Metallic", "linear"},
+    {MapKind::AmbientOcclusion, "AmbientOcclusion", "linear"},
+    {MapKind::Specular, "Specular", "linear"},
+    {MapKind::Emission, "Emission", "srgb"},
+    {MapKind::Opacity, "Opacity", "linear"},
+};
+static_assert(std::size(kFiles) == kMapKindCount);
+
+std::optional<Image> imageOf(MapKind kind, const ExportJob& job, const Parameters& parameters)
+{
+    const Material& material = *job.resources.material;
+    if (kind == MapKind::Height)
+        return material.height ? std::optional(reduced(heightImage(*material.height, 16), job.size, Averaging::Plain)) : std::nullopt;
+    if (kind == MapKind::Normal) {
+        const std::optional<Image> normal = normalImage(material, parameters, job.progress);
+        return normal ? std::optional(reduced(*normal, job.size, Averaging::Normals)) : std::nullopt;
+    }
+    const Image* map = material.map(kind);
+    if (!map)
+        return std::nullopt;
+    const Image image = reduced(*map, job.size, row(kind).isColor ? Averaging::Srgb : Averaging::Plain);
+    return image.type != PixelType::F32 ? image : row(kind).isColor ? eightBit(image, true) : withBits(image, 16);
+}
+
+// The numbers that turn the maps into relief elsewhere (exports.md's model).
+Json numbersOf(const ExportJob& job, const Parameters& parameters)
+{
+    const float measured = job.resources.mesh->metresPerUV;
+    const float depth = physicalDepth(parameters, measured), unit = metresPerUV(parameters, measured);
+    return {{"name", job.state.name}, {"depthMetres", depth}, {"depthUV", depth / unit}, {"depthInTiles", parameters.depth},
+        {"midlevel", parameters.midlevel}, {"metresPerUV", unit}, {"tiling", parameters.tiling}, {"tileMetres", unit / parameters.tiling},
+        {"offset", {parameters.offsetU, parameters.offsetV}}, {"rotationDegrees", parameters.rotation},
+        {"wrap", parameters.wrap == 0 ? "repeat" : "clamp"}, {"normalStrength", parameters.normalStrength},
+        {"technique", job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique}};
+}
+} // namespace
+
+Expected<Exported> exportTextures(const ExportJob& job)
+{
+    std::error_code code;
+    fs::create_directories(job.out, code);
+    if (!fs::is_directory(job.out, code))
+        return failure(job.out.string(), "the folder cannot be made", "Choose a folder that you may write to");
+    const Parameters parameters = effectiveParameters(job.state, 0);
+    Exported exported;
+    Json numbers = numbersOf(job, parameters), maps = Json::array();
+    const std::string stem = fileStem(job.state.name);
+    std::size_t done = 0;
+    for (const FileRow& file : kFiles) {
+        job.progress.at(float(done++) / float(kMapKindCount));
+        const std::optional<Image> image = imageOf(file.kind, job, parameters);
+        if (job.progress.cancelled())
+            return failure(job.out.string(), "cancelled");
+        if (!image)
+            continue;
+        const fs::path path = job.out / (stem + '_' + std::string(file.suffix) + ".png");
+        if (Expected<void> written = writeImage(path, *image, row(file.kind).isColor); !written)
+            return tl::unexpected(written.error());
+        exported.files.push_back(path);
+        maps.push_back({{"kind", row(file.kind).key}, {"file", path.filename().string()}, {"convention", file.convention},
+            {"width", image->width}, {"height", image->height}, {"bits", image->type == PixelType::U8 ? 8 : 16}});
+    }
+    if (exported.files.empty())
+        return failure(job.out.string(), "the material has no maps to write", "Open a texture set first");
+    const Material& material = *job.resources.material;
+    if (!material.height)
+        exported.warnings.push_back({"no-height", "The material has no height map: the folder holds no relief."});
+    else if (!material.map(MapKind::Normal))
+        exported.warnings.push_back({"normal-made", "The normal map was made from the height map at the material's depth."});
+    const Image* emission = material.map(MapKind::Emission);
+    if (emission && emission->type == PixelType::F32)
+        exported.warnings.push_back({"emission-clipped", "Emission brighter than 1 was clipped: PNG cannot hold it."});
+    numbers["maps"] = maps;
+    const fs::path path = job.out / "relief.json";
+    if (Expected<void> written = writeAtomically(path, numbers.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'); !written)
+        return tl::unexpected(written.error());
+    exported.files.push_back(path);
+    return exported;
+}
+
+} // namespace relievo

@@ -1,0 +1,21 @@
+// Runs the Khronos validator on files; prints every error and warning, fails on errors.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+const fs = require('fs');
+const validator = require('gltf-validator');
+
+async function check(file) {
+  const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {maxIssues: 50});
+  const {numErrors, numWarnings} = report.issues;
+  console.log(`${file}: ${numErrors} errors, ${numWarnings} warnings, ${report.info.totalTriangleCount} triangles`);
+  for (const issue of report.issues.messages.filter(message => message.severity < 2))
+    console.log(`  ${issue.code} at ${issue.pointer}: ${issue.message}`);
+  return numErrors;
+}
+
+(async () => {
+  let errors = 0;
+  for (const file of process.argv.slice(2))
+    errors += await check(file);
+  process.exit(errors === 0 && process.argv.length > 2 ? 0 : 1);
+})();

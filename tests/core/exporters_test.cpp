@@ -1,0 +1,233 @@
+// What exports write: a well-formed .glb with the material's numbers, a folder of maps, and nothing half-written.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exporters/exporters.h"
+#include "core/exporters/map_images.h"
+#include "core/file.h"
+#include "core/image/image_file.h"
+#include "core/image/samples.h"
+#include "core/state/state_json.h"
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+using namespace relievo;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+class Export : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        std::string name = (fs::temp_directory_path() / "relievo-export-XXXXXX").string();
+        m_folder = mkdtemp(name.data());
+        const Expected<Opened> opened = openSource("sample:hammered@64", State());
+        ASSERT_TRUE(opened);
+        m_state = opened->state;
+        m_state.mesh = "box";
+    }
+    void TearDown() override { fs::remove_all(m_folder); }
+
+    Expected<Exported> run(const char* target, const std::string& name, int size = 0)
+    {
+        const Expected<Resources> resources = loadResources(m_state, {}, {});
+        EXPECT_TRUE(resources) << message(resources.error());
+        return findExport(target)->run({m_state, *resources, m_folder / name, size, {}});
+    }
+
+    // The JSON of a .glb whose container is checked on the way.
+    json glb(const std::string& name)
+    {
+        const std::string file = readText(m_folder / name).value_or("");
+        std::uint32_t head[5] = {}, binary[2] = {};
+        EXPECT_GE(file.size(), 28u);
+        std::memcpy(head, file.data(), sizeof head);
+        EXPECT_EQ(head[0], 0x46546C67u);
+        EXPECT_EQ(head[2], file.size());
+        EXPECT_EQ(head[3] % 4, 0u);
+        std::memcpy(binary, file.data() + 20 + head[3], sizeof binary);
+        EXPECT_EQ(28 + head[3] + binary[0], file.size());
+        const json document = json::parse(file.substr(20, head[3]));
+        EXPECT_EQ(document["buffers"][0]["byteLength"], binary[0]);
+        for (const json& view : document["bufferViews"])
+            EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(), binary[0]);
+        m_binary = file.substr(28 + head[3]);
+        return document;
+    }
+
+    fs::path m_folder;
+    State m_state;
+    std::string m_binary;
+};
+} // namespace
+
+TEST_F(Export, GlbHoldsMaterialAndRelief)
+{
+    m_state.parameters.midlevel = 0.5f;
+    m_state.parameters.normalStrength = 1.5f;
+    m_state.panes[0].technique = "parallax";
+    const Expected<Exported> exported = run("gltf", "a.glb");
+    ASSERT_TRUE(exported) << message(exported.error());
+    ASSERT_EQ(exported->files.size(), 2u);
+    EXPECT_EQ(exported->files[1].filename(), "a_height.png");
+    EXPECT_FALSE(exported->warnings.empty());
+    const Expected<ImageRead> height = readImage(exported->files[1]);
+    ASSERT_TRUE(height);
+    EXPECT_EQ(height->image.type, PixelType::U16);
+
+    const json document = glb("a.glb");
+    const json& material = document["materials"][0];
+    EXPECT_EQ(material["name"], "Hammered metal");
+    const json& relief = material["extensions"]["RELIEVO_materials_relief"];
+    EXPECT_NEAR(relief["depth"].get<float>(), m_state.parameters.depth, 1e-6f); // one tile is one metre on the box
+    EXPECT_EQ(relief["midlevel"], 0.5f);
+    EXPECT_EQ(relief["metresPerUV"], 1.f);
+    EXPECT_EQ(relief["technique"], "parallax");
+    EXPECT_EQ(relief["maxSteps"], 32);
+    EXPECT_EQ(
+        document["images"][document["textures"][relief["heightTexture"]["index"].get<std::size_t>()]["source"].get<std::size_t>()]["name"],
+        "height");
+    EXPECT_EQ(material["extras"]["relievo"]["depth"], relief["depth"]);
+    EXPECT_EQ(material["normalTexture"]["scale"], 1.5f);
+    EXPECT_EQ(material["pbrMetallicRoughness"]["metallicFactor"], 1.f);
+    EXPECT_TRUE(material["pbrMetallicRoughness"].contains("baseColorTexture"));
+    EXPECT_FALSE(material.contains("occlusionTexture")); // the sample has none
+    EXPECT_EQ(document["extensionsUsed"], json::array({"RELIEVO_materials_relief"}));
+    EXPECT_FALSE(document.contains("extensionsRequired"));
+    EXPECT_EQ(document["meshes"][0]["primitives"].size(), 1u);
+}
+
+TEST_F(Export, GlbReadsBackAsTheSameMesh)
+{
+    m_state.mesh = "torus";
+    ASSERT_TRUE(run("gltf", "a.glb"));
+    const Expected<Mesh> torus = openMesh("torus"), again = openMesh((m_folder / "a.glb").string());
+    ASSERT_TRUE(again) << message(again.error());
+    EXPECT_EQ(again->indices.size(), torus->indices.size());
+    EXPECT_TRUE(again->fileHasTangents);
+    EXPECT_TRUE(again->warnings.empty());
+    EXPECT_NEAR(again->metresPerUV, torus->metresPerUV, 1e-5f);
+    for (const Vertex& v : again->vertices)
+        EXPECT_GT(glm::dot(glm::cross(v.normal, glm::vec3(v.tangent)) * v.tangent.w, -v.dPdv), 0.f);
+}
+
+TEST_F(Export, TilingBecomesATextureTransform)
+{
+    m_state.parameters.tiling = 2.f;
+    m_state.parameters.rotation = 90.f;
+    m_state.parameters.offsetU = 0.25f;
+    ASSERT_TRUE(run("gltf", "a.glb"));
+    const json document = glb("a.glb");
+    const json& material = document["materials"][0];
+    const json& transform = material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"];
+    EXPECT_EQ(transform["scale"], json::array({2.f, 2.f}));
+    EXPECT_EQ(transform["offset"], json::array({0.25f, 0.f}));
+    EXPECT_NEAR(transform["rotation"].get<float>(), -1.5707963f, 1e-6f); // glTF turns the UVs, we turn the image
+    EXPECT_EQ(material["extensions"]["RELIEVO_materials_relief"]["heightTexture"]["extensions"]["KHR_texture_transform"], transform);
+    EXPECT_NEAR(material["extensions"]["RELIEVO_materials_relief"]["depth"].get<float>(), m_state.parameters.depth / 2.f, 1e-6f);
+    EXPECT_EQ(document["extensionsUsed"].size(), 2u);
+}
+
+TEST_F(Export, WithoutHeightThereIsNoReliefAndItIsTold)
+{
+    m_state.slots[std::size_t(MapKind::Height)] = {};
+    const Expected<Exported> exported = run("gltf", "a.glb");
+    ASSERT_TRUE(exported);
+    EXPECT_EQ(exported->files.size(), 1u);
+    EXPECT_EQ(exported->warnings[0].code, "no-height");
+    EXPECT_FALSE(glb("a.glb").contains("extensionsUsed"));
+}
+
+TEST_F(Export, FolderHoldsEachMapAndTheNumbers)
+{
+    const Expected<Exported> exported = run("textures", "new/folder", 32);
+    ASSERT_TRUE(exported) << message(exported.error());
+    const json numbers = json::parse(readText(m_folder / "new/folder/relief.json").value_or("{}"));
+    EXPECT_NEAR(numbers["depthMetres"].get<float>(), m_state.parameters.depth, 1e-6f);
+    EXPECT_NEAR(numbers["depthUV"].get<float>(), m_state.parameters.depth, 1e-6f);
+    EXPECT_EQ(numbers["metresPerUV"], 1.f);
+    EXPECT_EQ(numbers["maps"].size(), 5u); // height, color, normal (made), roughness, metallic
+    for (const json& map : numbers["maps"]) {
+        const Expected<ImageRead> read = readImage(m_folder / "new/folder" / map["file"].get<std::string>());
+        ASSERT_TRUE(read) << map;
+        EXPECT_EQ(read->image.width, 32);
+        EXPECT_EQ(read->image.storedBits, map["bits"]);
+    }
+    // The folder opens again as the set it was.
+    const Expected<TextureSet> set = openTextureSet(m_folder / "new/folder");
+    ASSERT_TRUE(set) << message(set.error());
+    EXPECT_EQ(set->maps.size(), 5u) << textureSetJson(*set);
+}
+
+TEST_F(Export, PresetIsReadBack)
+{
+    m_state.parameters.depth = 0.123f;
+    ASSERT_TRUE(run("preset", "a.json"));
+    const Expected<StateRead> read = readState(State(), m_folder / "a.json");
+    ASSERT_TRUE(read);
+    EXPECT_FLOAT_EQ(read->state.parameters.depth, 0.123f);
+}
+
+TEST_F(Export, WhatCannotBeWrittenIsAnErrorAndLeavesNothing)
+{
+    fs::create_directories(m_folder / "taken.glb");
+    std::ofstream(m_folder / "file") << "x";
+    for (const auto& [target, out] :
+        {std::pair{"gltf", "missing/a.glb"}, {"gltf", "taken.glb"}, {"preset", "missing/a.json"}, {"textures", "file/below"}}) {
+        const Expected<Exported> exported = run(target, out);
+        ASSERT_FALSE(exported) << target;
+        EXPECT_NE(exported.error().where.find(m_folder.string()), std::string::npos);
+        EXPECT_FALSE(exported.error().hint.empty());
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()), 2);
+}
+
+TEST(ExportImages, FileStemsAreSafe)
+{
+    EXPECT_EQ(fileStem("Hammered metal"), "HammeredMetal");
+    EXPECT_EQ(fileStem("../a b/\\\"c"), "aBC");
+    EXPECT_EQ(fileStem("\xC3\xA9"), "material");
+    EXPECT_EQ(fileStem("rock_2K-v1.2"), "rock_2K-v1.2");
+}
+
+TEST(ExportImages, ReductionKeepsTheMean)
+{
+    Image image{5, 3, 1, PixelType::U16, 16, false, std::vector<std::byte>(30)};
+    for (std::size_t i = 0; i < 15; ++i) {
+        const auto value = std::uint16_t(i * 4000);
+        std::memcpy(image.data.data() + 2 * i, &value, 2);
+    }
+    const Image one = reduced(image, 1, Averaging::Plain);
+    EXPECT_EQ(one.width, 1);
+    EXPECT_EQ(one.height, 1);
+    EXPECT_NEAR(one.value(0, 0, 0), 28000.f / 65535.f, 2e-5f);
+    EXPECT_EQ(reduced(image, 5, Averaging::Plain).data, image.data);
+    EXPECT_EQ(reduced(image, 0, Averaging::Plain).data, image.data);
+    // Black and white average to the grey of half the light, not to half the code.
+    Image pair{2, 1, 3, PixelType::U8, 8, false, std::vector<std::byte>(6)};
+    std::fill_n(pair.data.begin() + 3, 3, std::byte(255));
+    EXPECT_NEAR(reduced(pair, 1, Averaging::Srgb).value(0, 0, 0), 0.735f, 0.005f);
+}
+
+TEST(ExportImages, PackingPutsEachMapInItsChannel)
+{
+    const auto flat = [](int size, int value) {
+        return std::make_shared<const Image>(
+            Image{size, size, 1, PixelType::U8, 8, false, std::vector<std::byte>(std::size_t(size * size), std::byte(value))});
+    };
+    Material material;
+    EXPECT_FALSE(packedImage(material, 0));
+    material.maps[std::size_t(MapKind::Gloss)] = flat(4, 55);
+    material.maps[std::size_t(MapKind::AmbientOcclusion)] = flat(8, 100);
+    const std::optional<Image> packed = packedImage(material, 0);
+    ASSERT_TRUE(packed);
+    EXPECT_EQ(packed->width, 8);
+    EXPECT_NEAR(packed->value(3, 3, 0) * 255.f, 100.f, 0.5f);
+    EXPECT_NEAR(packed->value(3, 3, 1) * 255.f, 200.f, 0.5f); // roughness = 1 - gloss
+    EXPECT_EQ(packed->value(3, 3, 2), 0.f);
+}
