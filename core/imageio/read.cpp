@@ -36,10 +36,12 @@ public:
 private:
     void addRow(const Texel* row)
     {
-        const std::size_t channels = std::size_t(m_picture.channels);
-        for (int x = 0; x < m_picture.shown.width; ++x)
-            for (std::size_t c = 0; c < channels; ++c)
-                m_sums[std::size_t(x / m_picture.factorX) * channels + c] += double(*row++);
+        const std::size_t channels = std::size_t(m_picture.channels), box = std::size_t(m_picture.factorX) * channels;
+        const Texel* const end = row + std::size_t(m_picture.shown.width) * channels;
+        for (double* sums = m_sums.data(); row < end; sums += channels)
+            for (const Texel* const boxEnd = std::min(row + box, end); row < boxEnd; row += channels)
+                for (std::size_t c = 0; c < channels; ++c)
+                    sums[c] += double(row[c]);
         ++m_summed;
         ++m_seen;
         if (m_summed == m_picture.factorY || m_seen == m_picture.shown.height)

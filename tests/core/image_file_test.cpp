@@ -251,6 +251,27 @@ TEST(ImageFile, HelperIsKeptAndRespawnedAfterItsDeath)
     EXPECT_NE(imageHelperId(), first);
 }
 
+// A helper that is not there, ends at once, or talks nonsense: words, and no harm to what follows.
+TEST(ImageFile, UselessHelpersAreToldAndReplaced)
+{
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeImage(folder / "x.png", noiseImage(8, 8, 1, PixelType::U8)));
+    const char* set = std::getenv("RELIEVO_IMAGEIO");
+    const std::string before = set ? set : RELIEVO_BIN "/relievo-imageio";
+    for (const char* useless : {"/nowhere/relievo-imageio", "/bin/true", "/bin/cat"}) {
+        ::setenv("RELIEVO_IMAGEIO", useless, 1);
+        if (const int id = imageHelperId())
+            ::kill(id, SIGKILL);
+        const auto read = readImage(folder / "x.png");
+        ASSERT_FALSE(read) << useless;
+        EXPECT_FALSE(read.error().hint.empty());
+        EXPECT_FALSE(writeImage(folder / "y.png", noiseImage(8, 8, 1, PixelType::U8)));
+        EXPECT_FALSE(fs::exists(folder / "y.png"));
+    }
+    ::setenv("RELIEVO_IMAGEIO", before.c_str(), 1);
+    EXPECT_TRUE(readImage(folder / "x.png"));
+}
+
 TEST(ImageFile, CancelStopsReading)
 {
     const TemporaryFolder folder;
