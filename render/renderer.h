@@ -4,6 +4,7 @@
 #pragma once
 #include "core/source.h"
 #include "core/state/state.h"
+#include <glm/vec2.hpp>
 #include <memory>
 #include <string_view>
 
@@ -15,7 +16,8 @@ struct Target {
     unsigned framebuffer = 0;
     int width = 0, height = 0; // pixels
     bool linear = false; // float values without exposure, tone curve and sRGB (for EXR); else display values
-    float linesScale = 1.f; // pixels a wireframe line is wide
+    float lineWidth = 1.f; // of the wireframe, pixels
+    glm::vec2 jitter{0.f}; // shift of the picture in pixels, for averaging several into a smooth one
 };
 
 // Averages over the pixels that the mesh covers.
@@ -43,6 +45,9 @@ public:
 
     // True when files under RELIEVO_SHADERS changed since the last draw (cheap; ask it from a timer).
     bool shadersChanged() const;
+
+    // Textures that lie in the context now: a scene pays only for what it turns on.
+    int textureCount() const;
 
 private:
     struct Impl;

@@ -36,6 +36,7 @@ public:
     Wrap wrap() const { return m_wrap; }
     int storedBits() const { return m_storedBits; }
     std::span<const float> texels() const { return *m_heights; }
+    std::shared_ptr<const void> identity() const { return m_heights; } // equal for copies: the same heights, not compared
 
     // The same heights under another wrap mode; shares the data.
     HeightField withWrap(Wrap wrap) const;

@@ -1,4 +1,4 @@
-# Writes every shader file as a C++ string (TEXTS), and one include a technique for running it on the CPU (TECHNIQUES).
+# Writes every shader file as a C++ string (TEXTS), one include a technique for running it on the CPU (TECHNIQUES), and its table (ROWS).
 set(out "// Generated from shaders/ by embed_shaders.cmake.\n#include \"core/shader_text/shader_files.h\"\nnamespace relievo {\nconst std::vector<ShaderFile>& embeddedShaders()\n{\n    static const std::vector<ShaderFile> files = {\n")
 set(techniques "// Generated from shaders/techniques by embed_shaders.cmake.\n")
 foreach(file IN LISTS FILES)
@@ -6,9 +6,11 @@ foreach(file IN LISTS FILES)
   string(APPEND out "{\"${file}\", R\"glsl(${text})glsl\"},\n")
   if(file MATCHES "^techniques/(.*)\\.glsl$")
     string(REPLACE "-" "_" name "${CMAKE_MATCH_1}")
+    string(APPEND rows "RELIEVO_TECHNIQUE_ROW(\"${file}\", ${name})\n")
     string(APPEND techniques "RELIEVO_TECHNIQUE_BEGIN(\"${file}\", ${name})\n#include \"shaders/${file}\"\nRELIEVO_TECHNIQUE_END(\"${file}\", ${name})\n")
   endif()
 endforeach()
 string(APPEND out "};\n    return files;\n}\n}\n")
 file(WRITE "${TEXTS}" "${out}")
 file(WRITE "${TECHNIQUES}" "${techniques}")
+file(WRITE "${ROWS}" "${rows}")

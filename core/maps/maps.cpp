@@ -1,0 +1,61 @@
+// Baking a row of the maps table.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/maps/maps.h"
+#include "core/maps/normal.h"
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+namespace relievo
+{
+
+Image bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress)
+{
+    return normalFromHeight(field, parameters.depth * parameters.normalStrength, progress);
+}
+
+const MapRow* findMap(std::string_view key)
+{
+    const auto found = std::ranges::find(kMaps, key, &MapRow::key);
+    return found == kMaps.end() ? nullptr : &*found;
+}
+
+Expected<Image> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+{
+    try {
+        Image image = row.bake(field, parameters, progress);
+        if (progress.cancelled())
+            return failure(std::string(row.key), "cancelled");
+        return image;
+    } catch (const std::bad_alloc&) {
+        return failure(std::string(row.key), "there is not enough memory to bake this map", "Use a smaller height map");
+    }
+}
+
+Image withBits(const Image& image, int bits)
+{
+    const PixelType type = bits == 8 ? PixelType::U8 : bits == 16 ? PixelType::U16 : PixelType::F32;
+    if (type == image.type)
+        return image;
+    Image out{image.width, image.height, image.channels, type, bits, bits == 32, {}};
+    out.data.resize(image.texelCount() * std::size_t(image.channels) * bytesOf(type));
+    std::size_t at = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < image.channels; ++c, ++at) {
+                const float value = image.value(x, y, c), unit = std::clamp(std::isnan(value) ? 0.f : value, 0.f, 1.f);
+                if (type == PixelType::F32) {
+                    std::memcpy(out.data.data() + at * 4, &value, 4);
+                } else if (type == PixelType::U16) {
+                    const std::uint16_t stored = std::uint16_t(std::lround(unit * 65535.f));
+                    std::memcpy(out.data.data() + at * 2, &stored, 2);
+                } else {
+                    out.data[at] = std::byte(std::lround(unit * 255.f));
+                }
+            }
+    return out;
+}
+
+} // namespace relievo

@@ -1,0 +1,343 @@
+// Putting shader programs together from files and generated functions.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shader_text/program_text.h"
+#include "core/file.h"
+#include "core/shader_text/scene_uniforms.h"
+#include "core/shader_text/shader_files.h"
+#include "core/state/techniques.h"
+#include "core/state/views.h"
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
+namespace relievo
+{
+
+namespace
+{
+bool isWordCharacter(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+} // namespace
+
+std::string withoutComments(std::string_view text)
+{
+    std::string out(text);
+    enum { Code, Line, Block } in = Code;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const bool pair = i + 1 < text.size();
+        if (in == Code && pair && text[i] == '/' && (text[i + 1] == '/' || text[i + 1] == '*')) {
+            in = text[i + 1] == '/' ? Line : Block;
+            out[i] = out[i + 1] = ' ';
+            ++i;
+        } else if (in == Line && text[i] == '\n') {
+            in = Code;
+        } else if (in == Block && pair && text[i] == '*' && text[i + 1] == '/') {
+            in = Code;
+            out[i] = out[i + 1] = ' ';
+            ++i;
+        } else if (in != Code && text[i] != '\n') {
+            out[i] = ' ';
+        }
+    }
+    return out;
+}
+
+bool mentionsIdentifier(std::string_view text, std::string_view identifier)
+{
+    for (std::size_t at = text.find(identifier); at != text.npos; at = text.find(identifier, at + 1)) {
+        const std::size_t end = at + identifier.size();
+        const bool starts = at == 0 || (!isWordCharacter(text[at - 1]) && text[at - 1] != '.');
+        if (starts && (end == text.size() || !isWordCharacter(text[end])))
+            return true;
+    }
+    return false;
+}
+
+bool ShaderText::mentions(std::string_view identifier) const
+{
+    return mentionsIdentifier(text, identifier);
+}
+
+ShaderReader embeddedReader()
+{
+    return [](std::string_view name) -> Expected<std::string> {
+        const auto& files = embeddedShaders();
+        const auto found = std::ranges::find(files, name, &ShaderFile::name);
+        if (found == files.end())
+            return failure("shaders/" + std::string(name), "there is no such shader file", "Check the #include line");
+        return std::string(found->text);
+    };
+}
+
+ShaderReader folderReader(const std::filesystem::path& folder)
+{
+    return [folder](std::string_view name) -> Expected<std::string> {
+        std::error_code code;
+        if (std::filesystem::exists(folder / name, code))
+            return readText(folder / name);
+        return embeddedReader()(name);
+    };
+}
+
+namespace
+{
+
+constexpr std::string_view typeName(const Member& member)
+{
+    constexpr std::array<std::string_view, 4> names = {"float", "int", "bool", "vec3"};
+    return names[member.index()];
+}
+constexpr std::string_view typeName(const SceneMember& member)
+{
+    constexpr std::array<std::string_view, 5> names = {"float", "vec2", "vec3", "mat2", "mat4"};
+    return names[member.index()];
+}
+
+// Collects the parts of one stage; each file is included once.
+class Assembly
+{
+public:
+    explicit Assembly(const ShaderReader& read) : m_read(read) { }
+
+    Assembly& file(std::string_view name)
+    {
+        if (m_failed || std::ranges::count(m_files, name))
+            return *this;
+        const auto text = m_read(name);
+        if (!text) {
+            m_failed = text.error();
+            return *this;
+        }
+        m_files.emplace_back(name);
+        lines(withoutComments(*text), m_files.size() - 1);
+        return *this;
+    }
+
+    Assembly& generated(std::string_view text)
+    {
+        m_body += "#line 1 0\n";
+        m_body += text;
+        m_body += '\n';
+        return *this;
+    }
+
+    Expected<ShaderText> finish()
+    {
+        if (m_failed)
+            return tl::unexpected(*m_failed);
+        return ShaderText{"#version 410 core\n" + uniformDeclarations(m_body) + m_body, m_files};
+    }
+
+private:
+    void lines(const std::string& text, std::size_t index)
+    {
+        const std::string number = std::to_string(index);
+        m_body += "#line 1 " + number + '\n';
+        std::size_t line = 1;
+        for (std::size_t at = 0; at < text.size(); ++line) {
+            const std::size_t end = std::min(text.find('\n', at), text.size());
+            const std::string_view content = std::string_view(text).substr(at, end - at);
+            if (content.starts_with("#include")) {
+                const std::size_t open = content.find('"'), close = content.rfind('"');
+                if (open < close && close != content.npos)
+                    file(content.substr(open + 1, close - open - 1));
+                m_body += "#line " + std::to_string(line + 1) + ' ' + number + '\n';
+            } else {
+                m_body.append(content);
+                m_body += '\n';
+            }
+            at = end + 1;
+        }
+    }
+
+    const ShaderReader& m_read;
+    std::string m_body;
+    std::vector<std::string> m_files = {"generated text"};
+    std::optional<Error> m_failed;
+};
+
+// What a map gives where the material has none.
+std::string_view constantOf(MapKind kind)
+{
+    switch (kind) {
+    case MapKind::Color:
+        return "vec3(0.5f)";
+    case MapKind::Metallic:
+        return "0.0f";
+    case MapKind::Emission:
+        return "vec3(0.0f)";
+    case MapKind::Specular:
+        return "vec3(1.0f)";
+    default:
+        return "1.0f";
+    }
+}
+
+// "vec3 colorAt(vec2 uv, float footprint)": the map at an explicit mip level, or a constant.
+std::string mapFunction(const MapKindRow& row, bool present, bool gloss)
+{
+    const bool scalar = row.channels == 1;
+    const std::string map = gloss ? "glossMap" : std::string(row.key) + "Map";
+    std::string text = std::string(scalar ? "float " : "vec3 ") + std::string(row.key) + "At(vec2 uv, float footprint) { return ";
+    if (!present)
+        return text + std::string(constantOf(row.kind)) + "; }\n";
+    const std::string fetch = "textureLod(" + map + ", uv, max(0.0f, footprint + " + map + "Levels))" + (scalar ? ".r" : ".rgb");
+    return text + (gloss ? "1.0f - " + fetch : fetch) + "; }\n";
+}
+
+std::string mapFunctions(const std::set<MapKind>& maps, std::string_view text)
+{
+    std::string functions;
+    for (const MapKindRow& row : kMapKinds) {
+        const bool gloss = row.kind == MapKind::Roughness && !maps.contains(MapKind::Roughness) && maps.contains(MapKind::Gloss);
+        if (row.kind != MapKind::Height && mentionsIdentifier(text, std::string(row.key) + "At"))
+            functions += mapFunction(row, gloss || maps.contains(row.kind), gloss);
+    }
+    return functions;
+}
+
+std::string_view normalsFile(const std::set<MapKind>& maps)
+{
+    return maps.contains(MapKind::Normal) ? "normals_from_map.glsl"
+        : maps.contains(MapKind::Height)  ? "normals_from_height.glsl"
+                                          : "normals_none.glsl";
+}
+
+constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"};
+
+Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderReader& read)
+{
+    const TechniqueRow* technique = findTechnique(features.technique);
+    const ViewRow* view = findView(features.view);
+    if (!technique || technique->file.empty() || !view)
+        return failure(features.technique + ", " + features.view, "this technique or view cannot be drawn", "relievo describe lists them");
+
+    // First the shading texts alone, to know which maps they read; the functions must stand before their use.
+    const auto body = [&](Assembly& part) {
+        if (features.technique == "flat")
+            part.file("normals_none.glsl");
+        else
+            part.file(normalsFile(features.maps));
+        part.file("normals.glsl").file(technique->searches && features.shadows ? "shadow_search.glsl" : "shadow_none.glsl");
+        if (features.view == "shaded")
+            part.file("environment.glsl").file(kShadingFiles[features.shading]);
+        part.file(view->file);
+    };
+    Assembly draft(read);
+    draft.file("main.glsl");
+    body(draft);
+    const auto drafted = draft.finish();
+    if (!drafted)
+        return drafted;
+
+    Assembly part(read);
+    part.file("contract.glsl").file("surface.glsl").generated(mapFunctions(features.maps, drafted->text));
+    part.file(listHas(technique->maps, "height") ? "heights_filtered.glsl" : "heights_none.glsl").file(technique->file);
+    if (features.view == "error")
+        part.file("heights_corners.glsl");
+    body(part);
+    if (view->isHeat)
+        part.file("heat.glsl")
+            .generated(features.linear ? "vec3 writeView(Surface s) { return vec3(viewValue(s)); }"
+                                       : "vec3 writeView(Surface s) { return heat(viewValue(s) * heatScale); }");
+    else if (view->isColor && !features.linear)
+        part.file("display.glsl").generated("vec3 writeView(Surface s) { return toDisplay(viewColor(s)); }");
+    else
+        part.generated("vec3 writeView(Surface s) { return viewColor(s); }");
+    return part.file("main.glsl").finish();
+}
+
+Expected<ProgramText> program(Expected<ShaderText> vertex, Expected<ShaderText> fragment)
+{
+    if (!vertex)
+        return tl::unexpected(vertex.error());
+    if (!fragment)
+        return tl::unexpected(fragment.error());
+    return ProgramText{std::move(*vertex), std::move(*fragment)};
+}
+
+} // namespace
+
+ProgramFeatures programFeatures(
+    const Parameters& parameters, std::string_view technique, std::string_view view, const std::set<MapKind>& maps, bool linear)
+{
+    ProgramFeatures features{std::string(technique), std::string(view), maps, 0, false, linear};
+    const TechniqueRow* row = findTechnique(technique);
+    const bool lit = view == "shaded";
+    features.shading = lit ? parameters.shading : 0;
+    features.shadows = (lit || view == "shadow") && parameters.shadows && row && row->searches;
+    return features;
+}
+
+Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read)
+{
+    return program(Assembly(read).file("mesh_vertex.glsl").finish(), meshFragment(features, read));
+}
+
+Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read)
+{
+    Assembly fragment(read);
+    fragment.file("environment.glsl");
+    if (linear)
+        fragment.generated("vec3 shownColor(vec3 color) { return color; }");
+    else
+        fragment.file("display.glsl").generated("vec3 shownColor(vec3 color) { return toDisplay(color); }");
+    return program(Assembly(read).file("background_vertex.glsl").finish(), fragment.file("background.glsl").finish());
+}
+
+Expected<ProgramText> wireframeProgram(const ShaderReader& read)
+{
+    return program(Assembly(read).file("mesh_vertex.glsl").finish(), Assembly(read).file("wireframe.glsl").finish());
+}
+
+Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read)
+{
+    const TechniqueRow* row = findTechnique(technique);
+    if (!row || row->file.empty())
+        return failure(std::string(technique), "this technique does not run on the GPU", "Use --device cpu");
+    Assembly fragment(read);
+    fragment.file("contract.glsl");
+    if (listHas(row->maps, "height"))
+        fragment.file("heights_exact.glsl");
+    return program(Assembly(read).file("full_screen_vertex.glsl").finish(), fragment.file(row->file).file("trace_rays.glsl").finish());
+}
+
+std::string uniformDeclarations(const std::string& text)
+{
+    std::string declarations;
+    const auto declare = [&](std::string_view type, std::string_view name) {
+        if (mentionsIdentifier(text, name))
+            declarations += "uniform " + std::string(type) + ' ' + std::string(name) + ";\n";
+    };
+    for (const ParameterRow& row : kParameters)
+        declare(typeName(row.member), row.key);
+    for (const SceneUniformRow& row : kSceneUniforms)
+        declare(typeName(row.member), row.name);
+    for (const MapKindRow& row : kMapKinds) {
+        declare("sampler2D", std::string(row.key) + "Map");
+        declare("float", std::string(row.key) + "MapLevels"); // log2 of the map's longest side
+    }
+    declare("samplerCube", "environmentMap");
+    declare("sampler2D", "rayMap");
+    declare("sampler2D", "cosineMap");
+    return declarations;
+}
+
+std::string namedLog(const std::string& log, const ShaderText& text)
+{
+    static const std::regex place(R"((\d+):(\d+)(\(\d+\))?)");
+    std::string out;
+    std::size_t at = 0;
+    for (std::sregex_iterator match(log.begin(), log.end(), place), end; match != end; ++match) {
+        const std::size_t index = std::stoul((*match)[1].str().substr(0, 6));
+        out += log.substr(at, std::size_t(match->position()) - at);
+        out += (index < text.files.size() ? text.files[index] : (*match)[1].str()) + ':' + (*match)[2].str();
+        at = std::size_t(match->position() + match->length());
+    }
+    return out + log.substr(at);
+}
+
+} // namespace relievo

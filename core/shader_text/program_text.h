@@ -1,0 +1,63 @@
+// Assembly of shader programs as text: includes, generated uniforms and map functions, only what a State uses.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/state/map_slots.h"
+#include "core/state/parameters.h"
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace relievo
+{
+
+// What a program is made of. Equal features give equal text: usable as a cache key.
+struct ProgramFeatures {
+    std::string technique = "relief"; // key of kTechniques
+    std::string view = "shaded"; // key of kViews
+    std::set<MapKind> maps; // maps that the material has
+    int shading = 0; // the parameter
+    bool shadows = false; // self-shadows wanted (a technique that does not search has none)
+    bool linear = false; // Target::linear
+    auto operator<=>(const ProgramFeatures&) const = default;
+};
+// The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.
+ProgramFeatures programFeatures(
+    const Parameters& parameters, std::string_view technique, std::string_view view, const std::set<MapKind>& maps, bool linear);
+
+struct ShaderText {
+    std::string text;
+    std::vector<std::string> files; // file i of "#line n i"; file 0 is generated text
+    bool mentions(std::string_view identifier) const;
+};
+struct ProgramText {
+    ShaderText vertex, fragment;
+};
+
+// Reads a shader file by its name under shaders/.
+using ShaderReader = std::function<Expected<std::string>(std::string_view name)>;
+ShaderReader embeddedReader();
+ShaderReader folderReader(const std::filesystem::path& folder); // falls back to the embedded text of a file that is not there
+
+// The programs of the renderer, GLSL 4.10.
+Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
+Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read);
+Expected<ProgramText> wireframeProgram(const ShaderReader& read);
+// Runs the technique's search on rays in textures (`trace --device gl`).
+Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read);
+
+// A driver's log with "0:12(3)" or "1:12:" turned into "relief.glsl:12".
+std::string namedLog(const std::string& log, const ShaderText& text);
+
+// The uniform and sampler declarations that `text` (without comments) needs, from the tables.
+std::string uniformDeclarations(const std::string& text);
+
+// Same length, comments blanked: for searching identifiers and for the driver.
+std::string withoutComments(std::string_view text);
+bool mentionsIdentifier(std::string_view text, std::string_view identifier);
+
+} // namespace relievo

@@ -1,0 +1,52 @@
+// The uniforms that are computed from a State rather than edited: one row each, next to the parameters' rows.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/state/camera_view.h"
+#include <array>
+#include <glm/mat2x2.hpp>
+#include <glm/mat4x4.hpp>
+#include <string_view>
+#include <variant>
+
+namespace relievo
+{
+
+struct SceneUniforms {
+    glm::mat4 clipFromWorld{1.f};
+    glm::mat4 worldFromClip{1.f};
+    glm::vec3 eye{0.f}; // m
+    glm::vec3 lightDirection{0.f}; // unit, towards the light
+    glm::vec2 environmentTurn{1.f, 0.f}; // cosine and sine of environmentYaw
+    glm::mat2 textureFromMesh{1.f}; // uv of the texture from the mesh's: turn and tiling
+    glm::mat2 meshFromTexture{1.f}; // its inverse
+    glm::vec2 textureShift{0.f};
+    float reliefDepth = 0.f; // D, m
+    float exposureFactor = 1.f; // 2^exposure
+    float heatScale = 1.f; // of the view's value to [0, 1]
+};
+
+using SceneMember = std::variant<float SceneUniforms::*, glm::vec2 SceneUniforms::*, glm::vec3 SceneUniforms::*, glm::mat2 SceneUniforms::*,
+    glm::mat4 SceneUniforms::*>;
+struct SceneUniformRow {
+    SceneMember member;
+    std::string_view name;
+};
+inline constexpr auto kSceneUniforms = std::to_array<SceneUniformRow>({
+    {&SceneUniforms::clipFromWorld, "clipFromWorld"},
+    {&SceneUniforms::worldFromClip, "worldFromClip"},
+    {&SceneUniforms::eye, "eye"},
+    {&SceneUniforms::lightDirection, "lightDirection"},
+    {&SceneUniforms::environmentTurn, "environmentTurn"},
+    {&SceneUniforms::textureFromMesh, "textureFromMesh"},
+    {&SceneUniforms::meshFromTexture, "meshFromTexture"},
+    {&SceneUniforms::textureShift, "textureShift"},
+    {&SceneUniforms::reliefDepth, "reliefDepth"},
+    {&SceneUniforms::exposureFactor, "exposureFactor"},
+    {&SceneUniforms::heatScale, "heatScale"},
+});
+
+// All of them for a view of the mesh; metresOfMesh is Mesh::metresPerUV.
+SceneUniforms sceneUniforms(const Parameters& parameters, const CameraView& camera, float metresOfMesh);
+
+} // namespace relievo

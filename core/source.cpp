@@ -1,0 +1,119 @@
+// One way in: projects, texture sets, single images and samples.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/source.h"
+#include "core/image/samples.h"
+#include "core/state/state_json.h"
+#include <algorithm>
+#include <cctype>
+
+namespace relievo
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+std::string lowerSuffix(const fs::path& file)
+{
+    std::string suffix = file.extension().string();
+    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return suffix;
+}
+
+Expected<Opened> openSample(std::string_view key, const State& base)
+{
+    const std::string_view name = key.substr(0, key.find('@'));
+    const SampleRow* sample = findSample(name);
+    if (!sample) {
+        std::string known;
+        for (const SampleRow& row : kSamples)
+            known += (known.empty() ? "" : ", ") + std::string(row.key);
+        return failure("sample:" + std::string(key), "there is no such sample", "There are " + known);
+    }
+    Opened opened{base, {}, {}};
+    int size = kSampleSize;
+    if (name.size() < key.size())
+        size = std::atoi(std::string(key.substr(name.size() + 1)).c_str());
+    if (size < 1 || size > 8192)
+        return failure("sample:" + std::string(key), "this size cannot be made", "1 to 8192 texels are possible");
+    opened.state.slots = sampleSlots(name, size);
+    opened.state.name = sample->label;
+    opened.state.parameters.depth = sample->depth;
+    return opened;
+}
+} // namespace
+
+bool isMeshFile(const fs::path& file)
+{
+    constexpr std::array<std::string_view, 6> suffixes = {".gltf", ".glb", ".obj", ".ply", ".stl", ".off"};
+    return std::ranges::count(suffixes, lowerSuffix(file)) > 0;
+}
+
+bool isProjectFile(const fs::path& file)
+{
+    return lowerSuffix(file) == ".relievo";
+}
+
+Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress)
+{
+    if (source.starts_with("sample:"))
+        return openSample(std::string_view(source).substr(7), base);
+    std::error_code code;
+    const fs::path path = fs::absolute(source, code).lexically_normal();
+    if (source.empty() || !fs::exists(path, code))
+        return failure(source.empty() ? "SOURCE" : source, "there is no such file or folder", "Check the path");
+    if (isProjectFile(path)) {
+        auto read = readState(base, path);
+        if (!read)
+            return tl::unexpected(read.error());
+        return Opened{std::move(read->state), {}, std::move(read->warnings)};
+    }
+    if (isMeshFile(path))
+        return failure(source, "this is a mesh, not a material", "Open a texture set and give the mesh by --mesh");
+    auto set = openTextureSet(path, progress);
+    if (!set)
+        return tl::unexpected(set.error());
+    Opened opened{base, std::move(set->images), std::move(set->warnings)};
+    opened.state.slots = set->slots();
+    opened.state.name = set->name;
+    return opened;
+}
+
+Expected<Resources> loadResources(const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress)
+{
+    Resources resources = previous;
+    const auto part = [&](float from, float to) {
+        Progress share;
+        share.stop = progress.stop;
+        share.report = [report = progress.report, from, to](float at) {
+            if (report)
+                report(from + at * (to - from));
+        };
+        return share;
+    };
+    if (!resources.material || resources.material->slots != state.slots) {
+        auto material = loadMaterial(state.slots, images, previous.material.get(), part(0.f, 0.7f));
+        if (!material)
+            return tl::unexpected(material.error());
+        resources.material = std::make_shared<const Material>(std::move(*material));
+    }
+    if (!resources.mesh || resources.meshName != state.mesh) {
+        auto mesh = openMesh(state.mesh, part(0.7f, 0.9f));
+        if (!mesh)
+            return tl::unexpected(mesh.error());
+        resources.mesh = std::make_shared<const Mesh>(std::move(*mesh));
+        resources.meshName = state.mesh;
+    }
+    if (!resources.environment || resources.environmentName != state.environment) {
+        auto environment = openEnvironment(state.environment, part(0.9f, 1.f));
+        if (!environment)
+            return tl::unexpected(environment.error());
+        resources.environment = std::make_shared<const Environment>(std::move(*environment));
+        resources.environmentName = state.environment;
+    }
+    if (progress.cancelled())
+        return failure(state.name, "cancelled");
+    return resources;
+}
+
+} // namespace relievo

@@ -1,0 +1,339 @@
+// Project files and presets: the State walked through its tables to JSON and back.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/state/state_json.h"
+#include "core/file.h"
+#include "core/state/techniques.h"
+#include "core/state/views.h"
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace relievo
+{
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+Json valueJson(const ParameterRow& row, const Value& value)
+{
+    if (const float* f = std::get_if<float>(&value))
+        return Json::parse(toText(row, *f)); // the shortest decimal, not the float widened to double
+    if (const int* i = std::get_if<int>(&value))
+        return row.options.empty() ? Json(*i) : Json(std::string(option(row, *i)));
+    if (const bool* b = std::get_if<bool>(&value))
+        return *b;
+    return Json::parse('[' + toText(row, value) + ']');
+}
+
+bool isBuiltIn(const std::string& file)
+{
+    return file.find(':') != file.npos && file.starts_with("sample:");
+}
+
+std::string relativeTo(const fs::path& folder, const std::string& file)
+{
+    if (file.empty() || isBuiltIn(file) || !fs::path(file).is_absolute())
+        return file;
+    const fs::path relative = fs::path(file).lexically_relative(folder);
+    return relative.empty() ? file : relative.generic_string();
+}
+
+Json parametersJson(const Parameters& parameters)
+{
+    Json json = Json::object();
+    for (const ParameterRow& row : kParameters)
+        json[std::string(row.key)] = valueJson(row, get(parameters, row));
+    return json;
+}
+
+Json mapsJson(const MapSlots& slots, const fs::path& folder)
+{
+    Json json = Json::object();
+    for (const MapKindRow& row : kMapKinds) {
+        const MapSlot& slot = slots[std::size_t(row.kind)];
+        if (!slot.empty())
+            json[std::string(row.key)] = {{"file", relativeTo(folder, slot.file)},
+                {"channel", std::string(kChannelKeys[std::size_t(slot.channel)])}, {"invert", slot.invert}};
+    }
+    return json;
+}
+
+Json cameraJson(const Camera& camera)
+{
+    Json json = {{"yaw", camera.yaw}, {"pitch", camera.pitch}, {"fov", camera.fov}};
+    if (camera.distance)
+        json["distance"] = *camera.distance;
+    if (camera.target)
+        json["target"] = {camera.target->x, camera.target->y, camera.target->z};
+    return json;
+}
+
+Json panesJson(const std::vector<Pane>& panes)
+{
+    Json json = Json::array();
+    for (const Pane& pane : panes) {
+        Json overrides = Json::object();
+        for (const auto& [key, value] : pane.overrides)
+            if (const ParameterRow* row = findParameter(key))
+                overrides[key] = valueJson(*row, value);
+        json.push_back({{"technique", pane.technique}, {"overrides", overrides}});
+    }
+    return json;
+}
+} // namespace
+
+std::string toJson(const State& state, const fs::path& folder)
+{
+    const std::string mesh = fs::path(state.mesh).is_absolute() ? relativeTo(folder, state.mesh) : state.mesh;
+    const Json json = {{"relievo", kStateVersion}, {"name", state.name}, {"maps", mapsJson(state.slots, folder)},
+        {"parameters", parametersJson(state.parameters)}, {"mesh", mesh}, {"environment", relativeTo(folder, state.environment)},
+        {"camera", cameraJson(state.camera)}, {"view", state.view}, {"panes", panesJson(state.panes)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string toPresetJson(const State& state)
+{
+    const std::string technique = state.panes.empty() ? Pane().technique : state.panes.front().technique;
+    const Json json = {{"relievo", kStateVersion}, {"name", state.name}, {"parameters", parametersJson(effectiveParameters(state, 0))},
+        {"panes", Json::array({Json{{"technique", technique}}})}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+namespace
+{
+
+// Walks a JSON text into a State; everything it cannot use becomes a warning with its place.
+class Reader
+{
+public:
+    Reader(const fs::path& folder, const std::string& where) : m_folder(folder), m_where(where) { }
+    Warnings warnings;
+
+    void read(const Json& json, State& state)
+    {
+        each(json, "", [&](const std::string& key, const Json& value) {
+            if (key == "relievo")
+                return true;
+            if (key == "name")
+                return text(value, key, state.name);
+            if (key == "maps")
+                return maps(value, state.slots);
+            if (key == "parameters")
+                return parameters(value, "parameters", [&](const ParameterRow& row, const Value& v) { set(state.parameters, row, v); });
+            if (key == "mesh")
+                return file(value, key, state.mesh, !std::ranges::count(kBuiltInMeshes, value.is_string() ? value.get<std::string>() : ""));
+            if (key == "environment")
+                return file(value, key, state.environment, value != "studio");
+            if (key == "camera")
+                return camera(value, state.camera);
+            if (key == "view")
+                return word(value, key, state.view, [](const std::string& name) { return findView(name) != nullptr; });
+            if (key == "panes")
+                return panes(value, state.panes);
+            return false;
+        });
+    }
+
+private:
+    static constexpr std::array<std::string_view, 5> kBuiltInMeshes = {"plane", "sphere", "cylinder", "torus", "box"};
+
+    void warn(const std::string& code, const std::string& place, const std::string& what)
+    {
+        warnings.push_back({code, m_where + ": " + place + ": " + what});
+    }
+
+    // Calls take(key, value) for each member; false means that the key is unknown.
+    template <class Take> bool each(const Json& json, const std::string& place, Take take)
+    {
+        if (!json.is_object()) {
+            warn("wrong-kind", place, "expected an object; ignored");
+            return true;
+        }
+        for (const auto& [key, value] : json.items())
+            if (!take(key, value))
+                warn("unknown-key", place.empty() ? key : place + '.' + key, "unknown key; ignored");
+        return true;
+    }
+
+    bool text(const Json& value, const std::string& place, std::string& out)
+    {
+        if (value.is_string())
+            out = value.get<std::string>();
+        else
+            warn("wrong-kind", place, "expected text; ignored");
+        return true;
+    }
+
+    template <class Known> bool word(const Json& value, const std::string& place, std::string& out, Known known)
+    {
+        std::string name = out;
+        text(value, place, name);
+        if (known(name))
+            out = name;
+        else
+            warn("unknown-value", place, "there is no \"" + name + "\"; ignored");
+        return true;
+    }
+
+    bool file(const Json& value, const std::string& place, std::string& out, bool isPath)
+    {
+        std::string name = out;
+        text(value, place, name);
+        out = name.empty() || isBuiltIn(name) || !isPath ? name : fs::absolute(m_folder / name).lexically_normal().string();
+        return true;
+    }
+
+    bool flag(const Json& value, const std::string& place, bool& out)
+    {
+        if (value.is_boolean())
+            out = value.get<bool>();
+        else
+            warn("wrong-kind", place, "expected true or false; ignored");
+        return true;
+    }
+
+    bool slot(const Json& json, const std::string& place, MapSlot& out)
+    {
+        return each(json, place, [&](const std::string& key, const Json& value) {
+            if (key == "file")
+                return file(value, place + ".file", out.file, true);
+            if (key == "invert")
+                return flag(value, place + ".invert", out.invert);
+            if (key != "channel")
+                return false;
+            std::string name(kChannelKeys[std::size_t(out.channel)]);
+            word(value, place + ".channel", name, [](const std::string& n) { return std::ranges::count(kChannelKeys, n) > 0; });
+            out.channel = Channel(std::ranges::find(kChannelKeys, name) - kChannelKeys.begin());
+            return true;
+        });
+    }
+
+    // A file that lists maps names them all: slots it does not mention are empty.
+    bool maps(const Json& json, MapSlots& slots)
+    {
+        slots = {};
+        return each(json, "maps", [&](const std::string& key, const Json& value) {
+            const auto kind = findMapKind(key);
+            return kind && slot(value, "maps." + key, slots[std::size_t(*kind)]);
+        });
+    }
+
+    std::optional<Value> value(const ParameterRow& row, const Json& json)
+    {
+        if (json.is_string())
+            return parseValue(row, json.get<std::string>());
+        if (json.is_boolean() && std::holds_alternative<bool Parameters::*>(row.member))
+            return json.get<bool>();
+        if (json.is_number() && std::holds_alternative<float Parameters::*>(row.member))
+            return json.get<float>();
+        if (json.is_number() && std::holds_alternative<int Parameters::*>(row.member))
+            return int(std::clamp(std::round(json.get<double>()), -2e9, 2e9));
+        if (json.is_array() && json.size() == 3 && std::holds_alternative<glm::vec3 Parameters::*>(row.member)
+            && std::ranges::all_of(json, [](const Json& j) { return j.is_number(); }))
+            return glm::vec3(json[0].get<float>(), json[1].get<float>(), json[2].get<float>());
+        return {};
+    }
+
+    template <class Take> bool parameters(const Json& json, const std::string& place, Take take)
+    {
+        return each(json, place, [&](const std::string& key, const Json& j) {
+            const ParameterRow* row = findParameter(key);
+            if (!row)
+                return false;
+            const auto read = value(*row, j);
+            if (!read) {
+                warn("wrong-kind", place + '.' + key, "not a value of this parameter; ignored");
+                return true;
+            }
+            const Value kept = clamped(*row, *read);
+            if (kept != *read)
+                warn("out-of-range", place + '.' + key, toText(*row, *read) + " is out of range; " + toText(*row, kept) + " is used");
+            take(*row, kept);
+            return true;
+        });
+    }
+
+    bool camera(const Json& json, Camera& out)
+    {
+        return each(json, "camera", [&](const std::string& key, const Json& value) {
+            std::string text;
+            if (key == "target" && value.is_array() && value.size() == 3)
+                text = value[0].dump() + ':' + value[1].dump() + ':' + value[2].dump();
+            else if (key != "yaw" && key != "pitch" && key != "fov" && key != "distance" && key != "target")
+                return false;
+            else
+                text = value.dump();
+            if (!setCamera(out, key + '=' + text))
+                warn("out-of-range", "camera." + key, text + " cannot be used; ignored");
+            return true;
+        });
+    }
+
+    bool panes(const Json& json, std::vector<Pane>& out)
+    {
+        if (!json.is_array() || json.empty()) {
+            warn("wrong-kind", "panes", "expected a list of one or two panes; ignored");
+            return true;
+        }
+        if (json.size() > 2)
+            warn("out-of-range", "panes", "only the first two panes are used");
+        out.resize(std::min<std::size_t>(json.size(), 2));
+        for (std::size_t i = 0; i < out.size(); ++i)
+            pane(json[i], "panes[" + std::to_string(i) + ']', out[i]);
+        return true;
+    }
+
+    void pane(const Json& json, const std::string& place, Pane& out)
+    {
+        each(json, place, [&](const std::string& key, const Json& value) {
+            if (key == "technique")
+                return word(
+                    value, place + ".technique", out.technique, [](const std::string& name) { return findTechnique(name) != nullptr; });
+            if (key != "overrides")
+                return false;
+            out.overrides.clear();
+            return parameters(
+                value, place + ".overrides", [&](const ParameterRow& row, const Value& v) { out.overrides[std::string(row.key)] = v; });
+        });
+    }
+
+    const fs::path& m_folder;
+    const std::string& m_where;
+};
+
+} // namespace
+
+Expected<StateRead> fromJson(const State& base, const std::string& text, const fs::path& folder, const std::string& where)
+{
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded() || !json.is_object())
+        return failure(where, "this is not a Relievo project or preset (no valid JSON object)", "Choose a file that Relievo has saved");
+    const auto version = json.find("relievo");
+    if (version == json.end() || !version->is_number_integer())
+        return failure(
+            where, "this is not a Relievo project or preset (no \"relievo\" version number)", "Choose a file that Relievo has saved");
+    if (version->get<long long>() > kStateVersion)
+        return failure(where, "the file was saved by a newer Relievo (version " + version->dump() + ')', "Open it with a newer Relievo");
+    StateRead result{base, {}};
+    Reader reader(folder, where);
+    reader.read(json, result.state);
+    result.warnings = std::move(reader.warnings);
+    return result;
+}
+
+Expected<StateRead> readState(const State& base, const fs::path& file)
+{
+    const auto text = readText(file, std::size_t(64) << 20);
+    if (!text)
+        return tl::unexpected(text.error());
+    return fromJson(base, *text, fs::absolute(file).parent_path(), file.string());
+}
+
+Expected<void> writeState(const State& state, const fs::path& file)
+{
+    return writeAtomically(file, toJson(state, fs::absolute(file).lexically_normal().parent_path()));
+}
+
+} // namespace relievo

@@ -1,0 +1,23 @@
+// A search ray in texture space and what a search returns (design.md section 4), as plain values for the CPU.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <glm/vec2.hpp>
+
+namespace relievo
+{
+
+// uv(t) = uv + t * duv, t from 0 (polygon) to 1 (deepest). Doubles: the reference takes rays as they were given.
+struct SearchRay {
+    glm::dvec2 uv{0.}, duv{0.};
+    double cosView = 1.; // |N.V|, in (0, 1]
+};
+
+struct SearchHit {
+    bool found = false;
+    double t = 1.;
+    glm::dvec2 uv{0.};
+    int fetches = 0; // texture reads of the search; for the reference the cells visited
+};
+
+} // namespace relievo

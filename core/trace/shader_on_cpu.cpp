@@ -1,0 +1,141 @@
+// GLSL on the CPU: each technique's file is included in the body of a struct whose members are the uniforms and samplers.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trace/shader_on_cpu.h"
+#include "core/state/techniques.h"
+#include "core/trace/reference.h"
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace relievo::glsl
+{
+using namespace glm;
+
+struct Ray {
+    vec2 uv, duv;
+    float cosView;
+};
+struct Hit {
+    vec2 uv;
+    float t;
+    bool found;
+    int fetches;
+};
+
+// What heights_exact.glsl and the generated declarations are on the GPU.
+struct Machine : Parameters {
+    const HeightField* heightMap = nullptr;
+    static ivec2 textureSize(const HeightField* map, int) { return {map->width(), map->height()}; }
+    float heightAt(vec2 uv) const { return heightMap->at(uv); }
+    vec4 cornersAt(vec2 cell) const
+    {
+        const HeightField::Corners c = heightMap->corners(int(cell.x), int(cell.y));
+        return {c.h00, c.h10, c.h01, c.h11};
+    }
+};
+
+#define RELIEVO_TECHNIQUE_BEGIN(file, name) struct Technique_##name : Machine {
+#define RELIEVO_TECHNIQUE_END(file, name)                                                                                                  \
+    }                                                                                                                                      \
+    ;
+#include "cpu_techniques.inc"
+#undef RELIEVO_TECHNIQUE_BEGIN
+#undef RELIEVO_TECHNIQUE_END
+
+struct ExactWalk : Machine {
+#include "shaders/exact_walk.glsl"
+};
+struct Heat {
+#include "shaders/heat.glsl"
+};
+} // namespace relievo::glsl
+
+namespace relievo
+{
+
+namespace
+{
+
+using Search = glsl::Hit (*)(const Parameters&, const HeightField*, glsl::Ray);
+struct SearchRow {
+    std::string_view file;
+    Search search;
+};
+
+template <class Technique> glsl::Hit run(const Parameters& parameters, const HeightField* field, glsl::Ray ray)
+{
+    Technique technique;
+    static_cast<Parameters&>(technique) = parameters;
+    technique.heightMap = field;
+    return technique.trace(ray);
+}
+
+// The generated list again, now as a table.
+const SearchRow kSearches[] = {
+#define RELIEVO_TECHNIQUE_ROW(file, name) {file, run<glsl::Technique_##name>},
+#include "cpu_techniques_rows.inc"
+#undef RELIEVO_TECHNIQUE_ROW
+};
+
+bool finite(const SearchRay& r)
+{
+    return std::isfinite(float(r.uv.x)) && std::isfinite(float(r.uv.y)) && std::isfinite(float(r.duv.x)) && std::isfinite(float(r.duv.y));
+}
+
+SearchHit searched(Search search, const Parameters& parameters, const HeightField* field, const SearchRay& ray)
+{
+    if (!finite(ray))
+        return {};
+    const glsl::Hit hit = search(parameters, field, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView)});
+    return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches};
+}
+
+} // namespace
+
+Expected<std::vector<SearchHit>> traceRays(
+    std::string_view key, const Parameters& parameters, const HeightField* field, std::span<const SearchRay> rays, const Progress& progress)
+{
+    const TechniqueRow* row = findTechnique(key);
+    if (!row)
+        return failure(std::string(key), "there is no such technique", "relievo describe techniques lists them");
+    if (!field && listHas(row->maps, "height"))
+        return failure(std::string(key), "this technique needs a height map and there is none", "Add one, or use flat or bump");
+    const auto found = std::ranges::find(kSearches, row->file, &SearchRow::file);
+    const bool exact = row->key == "reference";
+    if (!exact && found == std::end(kSearches))
+        return failure(std::string(key), "this technique has no shader text", "Reinstall Relievo");
+
+    std::vector<SearchHit> hits(rays.size());
+    std::atomic<std::size_t> done = 0;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 256), [&](const auto& range) {
+        if (progress.cancelled())
+            return;
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            hits[i] = exact ? exactHit(*field, rays[i]) : searched(found->search, parameters, field, rays[i]);
+        progress.at(float(done += range.size()) / float(rays.size()));
+    });
+    if (progress.cancelled())
+        return failure(std::string(key), "cancelled");
+    return hits;
+}
+
+float exactDepthInFloat(const HeightField& field, const SearchRay& ray)
+{
+    glsl::ExactWalk walk;
+    walk.heightMap = &field;
+    return walk.exactDepth({glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView)});
+}
+
+glm::vec3 heatColor(float x)
+{
+    return glsl::Heat().heat(x);
+}
+
+} // namespace relievo

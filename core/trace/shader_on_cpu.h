@@ -1,0 +1,31 @@
+// The text of the techniques' shader files, run on the CPU: the same search as the GPU's, with every fetch counted.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/image/height_field.h"
+#include "core/progress.h"
+#include "core/state/parameters.h"
+#include "core/trace/ray.h"
+#include <glm/vec3.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace relievo
+{
+
+// Runs technique `key` (a row of kTechniques; "reference" is exactHit) on each ray, on all threads of TBB. The field's wrap mode
+// counts, its base level is read. `field` may be null for techniques whose row names no maps.
+// A ray that is not finite gives {false, 1, (0, 0), 0} (cli.md); a miss gives uv + duv.
+// Errors: unknown technique, a height map that is wanted and missing, cancelled.
+Expected<std::vector<SearchHit>> traceRays(std::string_view key, const Parameters& parameters, const HeightField* field,
+    std::span<const SearchRay> rays, const Progress& progress = {});
+
+// The float text of the error view's exact walk (shaders/exact_walk.glsl), for its test against exactHit.
+float exactDepthInFloat(const HeightField& field, const SearchRay& ray);
+
+// The heat map of shaders/heat.glsl: colour (display values) of x in [0, 1]. For legends.
+glm::vec3 heatColor(float x);
+
+} // namespace relievo

@@ -1,0 +1,260 @@
+// Drawing a State: choose the program, bind what it reads, draw the mesh.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/renderer.h"
+#include "core/shader_text/program_text.h"
+#include "core/shader_text/scene_uniforms.h"
+#include "core/state/techniques.h"
+#include "core/state/views.h"
+#include "render/program.h"
+#include "render/uploads.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <glm/ext/matrix_transform.hpp>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace relievo
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr float kPlainBackground[] = {0.0331f, 0.0331f, 0.0331f}; // linear; sRGB 51 of 255
+
+// Newest change of any file under the folder.
+fs::file_time_type newestIn(const fs::path& folder)
+{
+    fs::file_time_type newest = fs::file_time_type::min();
+    std::error_code code;
+    for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
+        if (const auto time = entry->last_write_time(code); !code)
+            newest = std::max(newest, time);
+    return newest;
+}
+
+float srgb(float linear)
+{
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.f / 2.4f) - 0.055f;
+}
+
+std::set<MapKind> presentMaps(const Material& material)
+{
+    std::set<MapKind> maps;
+    if (material.height)
+        maps.insert(MapKind::Height);
+    for (const MapKindRow& row : kMapKinds)
+        if (material.map(row.kind))
+            maps.insert(row.kind);
+    return maps;
+}
+
+} // namespace
+
+struct Renderer::Impl {
+    Uploads uploads;
+    std::map<std::string, std::optional<LinkedProgram>> programs; // by what they are for; nothing: did not link
+    std::map<std::string, std::string> lastGood; // purpose without features -> key in programs
+    std::optional<fs::path> shaderFolder;
+    fs::file_time_type shadersSeen = fs::file_time_type::min();
+    VertexArray noVertices;
+    Framebuffer measuring;
+    std::vector<float> pixels;
+
+    Impl()
+    {
+        if (const char* folder = std::getenv("RELIEVO_SHADERS"); folder && *folder)
+            shaderFolder = folder;
+    }
+
+    ShaderReader reader() const { return shaderFolder ? folderReader(*shaderFolder) : embeddedReader(); }
+
+    bool shadersChanged() const { return shaderFolder && newestIn(*shaderFolder) != shadersSeen; }
+
+    // The linked program of `key`, made by `text` when it is new. `error` is set when it does not link; then the last program of the
+    // same `purpose` that did is returned, or nothing.
+    template <class MakeText>
+    const LinkedProgram* program(const std::string& purpose, const std::string& key, MakeText text, std::optional<Error>& error)
+    {
+        auto& entry = programs[key];
+        if (!entry) {
+            const Expected<ProgramText> assembled = text();
+            Expected<LinkedProgram> linked = assembled ? LinkedProgram::link(*assembled) : tl::unexpected(assembled.error());
+            if (linked) {
+                entry = std::move(*linked);
+                lastGood[purpose] = key;
+            } else {
+                error = linked.error();
+                const auto good = lastGood.find(purpose);
+                return good == lastGood.end() || !programs[good->second] ? nullptr : &*programs[good->second];
+            }
+        }
+        return &*entry;
+    }
+
+    void reloadShaders()
+    {
+        if (!shadersChanged())
+            return;
+        shadersSeen = newestIn(*shaderFolder);
+        ++shaderGeneration;
+    }
+    int shaderGeneration = 0;
+
+    const LinkedProgram* meshProgramFor(const ProgramFeatures& features, std::optional<Error>& error)
+    {
+        const std::string purpose = features.technique + '/' + features.view + (features.linear ? "/linear" : "");
+        std::string key = purpose + '/' + std::to_string(features.shading) + (features.shadows ? "/shadows" : "");
+        for (const MapKind kind : features.maps)
+            key += '/' + std::string(row(kind).key);
+        key += '#' + std::to_string(shaderGeneration);
+        return program(
+            purpose, key, [&] { return meshProgram(features, reader()); }, error);
+    }
+};
+
+Renderer::Renderer() : m(std::make_unique<Impl>()) { }
+Renderer::~Renderer() = default;
+bool Renderer::shadersChanged() const
+{
+    return m->shadersChanged();
+}
+int Renderer::textureCount() const
+{
+    return m->uploads.textureCount();
+}
+
+namespace
+{
+
+void clearTarget(const Parameters& parameters, const Target& target, bool heat)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(0, 0, target.width, target.height);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const bool transparent = parameters.background == 2 || (target.linear && heat);
+    float color[4] = {0.f, 0.f, 0.f, transparent ? 0.f : 1.f};
+    for (int i = 0; i < 3 && !transparent; ++i)
+        color[i] = target.linear ? kPlainBackground[i] : srgb(kPlainBackground[i]);
+    glClearColor(color[0], color[1], color[2], color[3]);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+float heatScale(const Parameters& parameters, std::string_view view)
+{
+    return view == "fetches" ? 1.f / parameters.fetchRange : view == "error" ? 1.f / parameters.errorRange : 1.f;
+}
+
+// What a pane needs to be drawn; the error view measures the search itself, so it searches the full resolution.
+Parameters drawnParameters(const State& state, std::size_t pane, std::string_view view)
+{
+    Parameters parameters = effectiveParameters(state, pane);
+    if (view == "error")
+        parameters.heightMips = false;
+    return parameters;
+}
+
+} // namespace
+
+Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resources& resources, std::string_view view, const Target& target)
+{
+    const ViewRow* viewRow = findView(view);
+    const TechniqueRow* technique = pane < state.panes.size() ? findTechnique(state.panes[pane].technique) : nullptr;
+    if (!viewRow || !technique)
+        return failure(std::string(view), "there is no such view or pane", "relievo describe views lists them");
+    const Parameters parameters = drawnParameters(state, pane, view);
+    const std::set<MapKind> maps = presentMaps(*resources.material);
+    clearTarget(parameters, target, viewRow->isHeat);
+    if ((listHas(technique->maps, "height") || view == "error") && !maps.contains(MapKind::Height))
+        return failure(state.name,
+            std::string(technique->label) + (view == "error" ? "'s error" : "") + " needs a height map and the material has none",
+            "Assign one, or choose flat or bump");
+
+    const Mesh& mesh = *resources.mesh;
+    CameraView camera = cameraView(state.camera, mesh.boundsMin, mesh.boundsMax, float(target.width) / float(std::max(target.height, 1)));
+    const glm::vec3 shift(2.f * target.jitter.x / float(target.width), 2.f * target.jitter.y / float(std::max(target.height, 1)), 0.f);
+    camera.clipFromView = glm::translate(glm::mat4(1.f), shift) * camera.clipFromView;
+    SceneUniforms uniforms = sceneUniforms(parameters, camera, mesh.metresPerUV);
+    uniforms.heatScale = heatScale(parameters, view);
+
+    m->reloadShaders();
+    m->uploads.hold(resources);
+    std::optional<Error> error;
+    const Wrap wrap = parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat;
+    const auto use = [&](const LinkedProgram& program) {
+        program.use();
+        program.set(parameters);
+        program.set(uniforms);
+        m->uploads.bindMaps(program, wrap);
+    };
+    if (const LinkedProgram* program = m->meshProgramFor(programFeatures(parameters, technique->key, view, maps, target.linear), error)) {
+        use(*program);
+        m->uploads.drawMesh();
+    }
+    if (parameters.wireframe) {
+        if (const LinkedProgram* lines = m->program(
+                "wireframe", "wireframe", [&] { return wireframeProgram(m->reader()); }, error)) {
+            use(*lines);
+            glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+            glLineWidth(target.lineWidth);
+            glEnable(GL_POLYGON_OFFSET_LINE);
+            glPolygonOffset(-1.f, -1.f);
+            m->uploads.drawMesh();
+            glDisable(GL_POLYGON_OFFSET_LINE);
+            glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        }
+    }
+    if (parameters.background == 1 && !viewRow->isHeat) {
+        const std::string key = target.linear ? "background/linear" : "background";
+        if (const LinkedProgram* sky = m->program(
+                key, key, [&] { return backgroundProgram(target.linear, m->reader()); }, error)) {
+            use(*sky);
+            if (!m->noVertices)
+                m->noVertices = newVertexArray();
+            glDepthFunc(GL_LEQUAL);
+            glBindVertexArray(*m->noVertices);
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+            glBindVertexArray(0);
+        }
+    }
+    glActiveTexture(GL_TEXTURE0);
+    glUseProgram(0);
+    if (error)
+        return tl::unexpected(*error);
+    return {};
+}
+
+Expected<Measurement> Renderer::measure(const State& state, std::size_t pane, const Resources& resources, float aspect)
+{
+    const int width = aspect >= 1.6f ? 320 : std::max(1, int(200.f * aspect));
+    const int height = aspect >= 1.6f ? std::max(1, int(320.f / aspect)) : 200;
+    m->measuring.resize(width, height, true);
+    State counted = state;
+    counted.parameters.wireframe = false;
+    if (const auto drawn = draw(counted, pane, resources, "fetches", {m->measuring.handle(), width, height, true}); !drawn)
+        return tl::unexpected(drawn.error());
+    m->pixels.resize(std::size_t(width) * std::size_t(height) * 4);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, m->pixels.data());
+    Measurement result;
+    double covered = 0.;
+    for (std::size_t i = 0; i < m->pixels.size(); i += 4) {
+        covered += double(m->pixels[i + 3]);
+        result.meanFetches += double(m->pixels[i] * m->pixels[i + 3]);
+        result.maxFetches = std::max(result.maxFetches, double(m->pixels[i]));
+    }
+    result.meanFetches /= std::max(covered, 1.);
+    result.covered = covered / double(width * height);
+    return result;
+}
+
+} // namespace relievo

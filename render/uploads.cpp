@@ -1,0 +1,244 @@
+// Uploading maps, meshes and environments.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/uploads.h"
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <string>
+#include <tbb/parallel_for.h>
+
+namespace relievo
+{
+
+namespace
+{
+
+void filterWithMips(bool mips)
+{
+    if (mips)
+        glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+float decodedSrgb(float v)
+{
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+struct Format {
+    GLint internal;
+    GLenum layout, type;
+};
+
+Format formatOf(const Image& image, bool isColor)
+{
+    constexpr GLenum layouts[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    const std::size_t channels = std::size_t(image.channels - 1);
+    const GLenum layout = layouts[channels];
+    if (image.type == PixelType::U8) {
+        constexpr GLint linear[] = {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
+        return {isColor && channels >= 2 ? (channels == 3 ? GL_SRGB8_ALPHA8 : GL_SRGB8) : linear[channels], layout, GL_UNSIGNED_BYTE};
+    }
+    if (image.type == PixelType::U16 && !isColor) {
+        constexpr GLint linear[] = {GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
+        return {linear[channels], layout, GL_UNSIGNED_SHORT};
+    }
+    constexpr GLint floats[] = {GL_R16F, GL_RG16F, GL_RGB16F, GL_RGBA16F};
+    return {floats[channels], layout, GL_FLOAT};
+}
+
+// 16-bit colour has no sRGB texture format: decoded here, kept as half floats.
+std::vector<float> decoded(const Image& image)
+{
+    std::vector<float> values(image.texelCount() * std::size_t(image.channels));
+    tbb::parallel_for(0, image.height, [&](int y) {
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < image.channels; ++c)
+                values[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * std::size_t(image.channels) + std::size_t(c)]
+                    = decodedSrgb(image.value(x, y, c));
+    });
+    return values;
+}
+
+Texture uploadImage(const Image& image, bool isColor)
+{
+    Texture texture = newTexture();
+    glBindTexture(GL_TEXTURE_2D, *texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const Format format = formatOf(image, isColor);
+    const auto load = [&](const void* data) {
+        glTexImage2D(GL_TEXTURE_2D, 0, format.internal, image.width, image.height, 0, format.layout, format.type, data);
+    };
+    if (image.type == PixelType::U16 && isColor)
+        load(decoded(image).data());
+    else
+        load(image.data.data());
+    filterWithMips(true);
+    return texture;
+}
+
+// Direction of a cube map's texel, OpenGL's face order and orientation; a, b in [-1, 1].
+glm::vec3 cubeDirection(int face, float a, float b)
+{
+    switch (face) {
+    case 0:
+        return {1.f, -b, -a};
+    case 1:
+        return {-1.f, -b, a};
+    case 2:
+        return {a, 1.f, b};
+    case 3:
+        return {a, -1.f, -b};
+    case 4:
+        return {a, -b, 1.f};
+    default:
+        return {-a, -b, -1.f};
+    }
+}
+
+// Bilinear read of an equirectangular level (environment.h's orientation).
+glm::vec3 equirect(const std::vector<glm::vec3>& level, int width, glm::vec3 direction)
+{
+    constexpr float pi = 3.14159265f;
+    direction = glm::normalize(direction);
+    const int height = width / 2;
+    const float x = (std::atan2(direction.x, -direction.z) / (2.f * pi) + 0.5f) * float(width) - 0.5f;
+    const float y = std::acos(std::clamp(direction.y, -1.f, 1.f)) / pi * float(height) - 0.5f;
+    const float fx = x - std::floor(x), fy = y - std::floor(y);
+    const auto at = [&](int i, int j) {
+        return level[std::size_t(wrapIndex(j, height, Wrap::Clamp)) * std::size_t(width) + std::size_t(wrapIndex(i, width, Wrap::Repeat))];
+    };
+    const int i = int(std::floor(x)), j = int(std::floor(y));
+    return (at(i, j) * (1.f - fx) + at(i + 1, j) * fx) * (1.f - fy) + (at(i, j + 1) * (1.f - fx) + at(i + 1, j + 1) * fx) * fy;
+}
+
+Texture uploadEnvironment(const Environment& environment)
+{
+    Texture texture = newTexture();
+    glBindTexture(GL_TEXTURE_CUBE_MAP, *texture);
+    for (int level = 0; level < kEnvironmentLevels; ++level) {
+        const int size = kEnvironmentWidth / 4 >> level;
+        std::vector<glm::vec3> pixels(std::size_t(size) * std::size_t(size));
+        for (int face = 0; face < 6; ++face) {
+            for (int y = 0; y < size; ++y)
+                for (int x = 0; x < size; ++x) {
+                    const float a = 2.f * (float(x) + 0.5f) / float(size) - 1.f, b = 2.f * (float(y) + 0.5f) / float(size) - 1.f;
+                    pixels[std::size_t(y * size + x)]
+                        = equirect(environment.levels[std::size_t(level)], kEnvironmentWidth >> level, cubeDirection(face, a, b));
+                }
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(face), level, GL_RGB16F, size, size, 0, GL_RGB, GL_FLOAT, pixels.data());
+        }
+    }
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, kEnvironmentLevels - 1);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return texture;
+}
+
+} // namespace
+
+Texture uploadHeight(const HeightField& field, bool mips)
+{
+    Texture texture = newTexture();
+    glBindTexture(GL_TEXTURE_2D, *texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (field.storedBits() <= 16) {
+        std::vector<std::uint16_t> values(field.texels().size());
+        std::ranges::transform(field.texels(), values.begin(), [](float h) { return std::uint16_t(std::lround(h * 65535.f)); });
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, field.width(), field.height(), 0, GL_RED, GL_UNSIGNED_SHORT, values.data());
+    } else {
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, field.width(), field.height(), 0, GL_RED, GL_FLOAT, field.texels().data());
+    }
+    filterWithMips(mips);
+    if (mips) // the search reads whole levels only
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    return texture;
+}
+
+void Uploads::hold(const Resources& resources)
+{
+    if (resources.mesh != m_resources.mesh)
+        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer();
+    if (resources.environment != m_resources.environment)
+        m_environment = Texture();
+    m_resources = resources;
+    for (const MapKindRow& row : kMapKinds) { // a map that is gone frees its texture
+        const std::size_t i = std::size_t(row.kind);
+        const Material& material = *m_resources.material;
+        if (row.kind == MapKind::Height ? !material.height : !material.maps[i])
+            m_maps[i] = Map(), m_uploadedMaps[i] = nullptr;
+    }
+}
+
+const Uploads::Map& Uploads::map(MapKind kind)
+{
+    const std::size_t i = std::size_t(kind);
+    const Material& material = *m_resources.material;
+    Map& map = m_maps[i];
+    if (kind == MapKind::Height && material.height) {
+        if (m_uploadedMaps[i] != material.height->identity()) {
+            map = {uploadHeight(*material.height), std::log2(float(std::max(material.height->width(), material.height->height())))};
+            m_uploadedMaps[i] = material.height->identity();
+        }
+    } else if (const auto& image = material.maps[i]; image && m_uploadedMaps[i] != image) {
+        map = {uploadImage(*image, row(kind).isColor), std::log2(float(std::max(image->width, image->height)))};
+        m_uploadedMaps[i] = image;
+    }
+    return map;
+}
+
+void Uploads::bindMaps(const LinkedProgram& program, Wrap wrap)
+{
+    int unit = 0;
+    for (const MapKindRow& row : kMapKinds) {
+        const std::string sampler = std::string(row.key) + "Map";
+        if (!program.reads(sampler.c_str()))
+            continue;
+        const Map& uploaded = map(row.kind);
+        program.bind(sampler.c_str(), GL_TEXTURE_2D, *uploaded.texture, unit++);
+        program.set((sampler + "Levels").c_str(), uploaded.levels);
+        const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
+    }
+    if (program.reads("environmentMap")) {
+        if (!m_environment)
+            m_environment = uploadEnvironment(*m_resources.environment);
+        program.bind("environmentMap", GL_TEXTURE_CUBE_MAP, *m_environment, unit);
+    }
+}
+
+void Uploads::drawMesh()
+{
+    const Mesh& mesh = *m_resources.mesh;
+    if (!m_vertexArray) {
+        m_vertexArray = newVertexArray(), m_vertices = newBuffer(), m_indices = newBuffer();
+        glBindVertexArray(*m_vertexArray);
+        glBindBuffer(GL_ARRAY_BUFFER, *m_vertices);
+        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(Vertex)), mesh.vertices.data(), GL_STATIC_DRAW);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, *m_indices);
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * 4), mesh.indices.data(), GL_STATIC_DRAW);
+        const auto attribute = [](GLuint location, GLint size, std::size_t offset) {
+            glEnableVertexAttribArray(location);
+            glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+        };
+        attribute(0, 3, offsetof(Vertex, position));
+        attribute(1, 3, offsetof(Vertex, normal));
+        attribute(2, 2, offsetof(Vertex, uv));
+        attribute(3, 3, offsetof(Vertex, dPdu));
+        attribute(4, 3, offsetof(Vertex, dPdv));
+    }
+    glBindVertexArray(*m_vertexArray);
+    glDrawElements(GL_TRIANGLES, GLsizei(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(0);
+}
+
+int Uploads::textureCount() const
+{
+    return int(std::ranges::count_if(m_maps, [](const Map& map) { return bool(map.texture); })) + (m_environment ? 1 : 0);
+}
+
+} // namespace relievo

@@ -1,0 +1,41 @@
+// Pictures without a window: an EGL context without surface, whole pictures, and searches on the GPU.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/image/image.h"
+#include "core/trace/ray.h"
+#include "render/renderer.h"
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace relievo
+{
+
+// An OpenGL 4.1 core context that needs no display, current on the calling thread while it lives.
+class WindowlessContext
+{
+public:
+    // Errors say what was found and what is needed.
+    static Expected<WindowlessContext> create();
+    WindowlessContext(WindowlessContext&&) noexcept;
+    WindowlessContext& operator=(WindowlessContext&&) noexcept;
+    ~WindowlessContext();
+
+private:
+    struct Impl;
+    explicit WindowlessContext(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m;
+};
+
+// One picture of `width` x `height` pixels, RGBA, row 0 at the top: U8 display values, or F32 linear values when `linear`.
+// samples: pictures with shifted pixel grids that are averaged, 1 to 64. Needs a current context.
+Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, const Resources& resources, std::string_view view,
+    int width, int height, int samples, bool linear);
+
+// traceRays of core/trace on the GPU: the same text of technique `key` on the field's base level. Needs a current context.
+Expected<std::vector<SearchHit>> traceRaysOnGpu(
+    std::string_view key, const Parameters& parameters, const HeightField* field, std::span<const SearchRay> rays);
+
+} // namespace relievo

@@ -1,0 +1,14 @@
+// The contract of every technique: what a search gets and what it returns (design.md section 4).
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+struct Ray {
+    vec2 uv;       // where the ray meets the polygon, t = 0
+    vec2 duv;      // change of uv from t = 0 to t = 1
+    float cosView; // |N.V|, in (0, 1]
+};
+struct Hit {
+    vec2 uv;
+    float t; // 0 on the polygon, 1 deepest
+    bool found;
+    int fetches; // texture reads of the search
+};

@@ -1,0 +1,16 @@
+// Heights of the full-resolution map, interpolated here from the four corners: the same numbers on every machine.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+
+#include "heights_corners.glsl"
+
+float heightAt(vec2 uv)
+{
+    vec2 p = uv * vec2(textureSize(heightMap, 0)) - 0.5f;
+    vec2 cell = floor(p);
+    vec2 f = p - cell;
+    vec4 h = cornersAt(cell);
+    float top = h.x * (1.0f - f.x) + h.y * f.x;
+    float bottom = h.z * (1.0f - f.x) + h.w * f.x;
+    return top * (1.0f - f.y) + bottom * f.y;
+}

@@ -1,0 +1,15 @@
+// Heights by the texture unit's own filter, at the mip level of this pixel. Fast; its weights may be coarse (1/256 texel) on some GPUs.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+float heightLevel = 0.0f;
+
+// footprint: log2 of the pixel's size in uv. Whole levels: each is a height field of its own, bilinear like the first.
+void startSearch(float footprint)
+{
+    heightLevel = heightMips ? max(0.0f, floor(footprint + heightMapLevels + 0.5f)) : 0.0f;
+}
+
+float heightAt(vec2 uv)
+{
+    return textureLod(heightMap, uv, heightLevel).r;
+}

@@ -1,0 +1,17 @@
+// Fragment stage of the mesh: search, then show. writeView() is the view's: a colour, or a measured value.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+layout(location = 0) out vec4 fragment;
+
+void main()
+{
+    Surface surface;
+    surface.footprint = footprintOf(dFdx(textureUv), dFdy(textureUv)); // before any branch: derivatives are undefined after
+    surface.frame = textureFrame();
+    surface.toEye = normalize(eye - position);
+    startSearch(surface.footprint);
+    surface.hit = trace(rayInto(surface.frame, textureUv, surface.toEye));
+    if (opacityAt(surface.hit.uv, surface.footprint) < 0.5f)
+        discard;
+    fragment = vec4(writeView(surface), 1.0f);
+}

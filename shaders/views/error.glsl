@@ -1,0 +1,9 @@
+// View: how far the depth found is from the exact first hit, as a share of the relief's depth.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "exact_walk.glsl"
+
+float viewValue(Surface surface)
+{
+    return abs(surface.hit.t - exactDepth(rayInto(surface.frame, textureUv, surface.toEye)));
+}
