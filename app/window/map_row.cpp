@@ -103,9 +103,8 @@ void MapRow::show(const MapSlot& slot, const Material* material)
     m_facts->setText(m_missing ? tr("missing: %1").arg(shownName(slot)) : facts);
     m_facts->setVisible(m_filled);
     m_facts->setToolTip(m_filled ? QString::fromStdString(slot.file) : QString());
-    QPalette colors = palette();
-    colors.setColor(QPalette::WindowText, m_filled ? palette().color(QPalette::WindowText) : dimText(palette()));
-    m_name->setPalette(colors);
+    setRole(*m_name, m_filled ? "" : "dim");
+    setRole(*m_facts, m_missing ? "warning" : "dim");
     const bool scalar = m_kind.channels == 1;
     m_channel->setVisible(m_filled && !m_missing && scalar && !slot.file.starts_with("sample:"));
     m_channel->setCurrentIndex(int(slot.channel));

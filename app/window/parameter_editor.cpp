@@ -198,9 +198,7 @@ void ParameterEditor::show(const Value& value, bool overridden)
     m_overridden = overridden;
     m_show(value);
     const bool changed = value != get(Parameters{}, m_row);
-    QPalette colors = palette();
-    colors.setColor(QPalette::WindowText, overridden ? accent(palette()) : changed ? palette().color(QPalette::WindowText) : dimText(palette()));
-    m_label->setPalette(colors);
+    setRole(*m_label, overridden ? "own" : changed ? "" : "dim");
     m_label->setText(overridden ? QString::fromUtf8("\u25cf ") + qt(m_row.label) : qt(m_row.label));
 }
 

@@ -13,6 +13,7 @@
 #include <QStyle>
 #include <QStyleFactory>
 #include <QSvgRenderer>
+#include <QWidget>
 
 namespace relievo
 {
@@ -67,7 +68,7 @@ QString styleSheet(const LookRow& row)
     QString text = QString::fromUtf8(file.readAll());
     const std::pair<const char*, const char*> words[] = {{"@window", row.window}, {"@field", row.field}, {"@raised", row.raised},
         {"@hovered", row.hovered}, {"@line", row.line}, {"@text", row.text}, {"@dim", row.dim}, {"@accent", row.accent},
-        {"@onAccent", row.onAccent}, {"@look", row.name}};
+        {"@onAccent", row.onAccent}, {"@warning", row.warning}, {"@look", row.name}};
     for (const auto& [word, value] : words)
         text.replace(word, value);
     return text;
@@ -138,6 +139,15 @@ Look savedLook()
 void saveLook(Look look)
 {
     QSettings().setValue("look", look == Look::Light ? "light" : "dark");
+}
+
+void setRole(QWidget& widget, const char* role)
+{
+    if (widget.property("role").toString() == role)
+        return;
+    widget.setProperty("role", role);
+    widget.style()->unpolish(&widget);
+    widget.style()->polish(&widget);
 }
 
 QFont smallFont()

@@ -9,6 +9,7 @@
 #include <string_view>
 
 class QApplication;
+class QWidget;
 
 namespace relievo
 {
@@ -26,6 +27,9 @@ inline constexpr int kRowHeight = 24; // px, of a control
 inline constexpr int kFontSize = 12, kSmallFontSize = 11; // px
 
 QFont smallFont();
+
+// What a label is for, as the style sheet colours it: "" plain, "dim", "heading", "own", "warning".
+void setRole(QWidget& widget, const char* role);
 
 // Colours by purpose; palettes carry them in these roles, so that widgets follow a change of look by themselves.
 inline QColor dimText(const QPalette& palette) { return palette.color(QPalette::PlaceholderText); }

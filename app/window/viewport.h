@@ -32,7 +32,7 @@ public:
     int activePane() const { return m_activePane; } // the one that the technique bar speaks of
     void setActivePane(int pane);
     QImage picture(); // what is shown, in full resolution, without captions
-    bool isFull() const { return !m_stale && m_shownScale == 1.; } // the last picture has the full resolution
+    bool isFull() const { return !m_stale && m_shownScale >= 1.; } // the picture shown has the full resolution
     double shownScale() const { return m_shownScale; }
 
 signals:
@@ -78,8 +78,9 @@ private:
     std::array<Framebuffer, 2> m_pictures;
     FramePacer m_pacer;
     QTimer m_rest, m_measuring, m_flying, m_shaderWatch;
-    bool m_stale = true, m_moving = false, m_usable = false;
-    double m_shownScale = 0;
+    bool m_stale = true, m_moving = false, m_fine = false, m_usable = false;
+    double m_shownScale = 0; // of the full resolution along each side; 2 with smooth edges
+    double m_lastDraw = 0; // ms
     std::array<std::optional<Measurement>, 2> m_measured;
 
     int m_activePane = 0;
