@@ -1,0 +1,178 @@
+// Options of the State, and telling results.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command.h"
+#include "core/state/presets.h"
+#include "core/state/state_json.h"
+#include "core/state/techniques.h"
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace relievo::cli
+{
+namespace fs = std::filesystem;
+
+void Common::addTo(CLI::App& command)
+{
+    command.add_flag("--json", json, "Print the result as one JSON object");
+    command.add_flag("--quiet", quiet, "No progress and no warnings");
+    command.add_flag("--progress", progress, "Progress on stderr, also when it is no terminal");
+}
+
+void StateOptions::addTo(CLI::App& command)
+{
+    command.add_option("SOURCE", source, "Project (*.relievo), folder of a texture set, one image of a set, or sample:NAME")->type_name("");
+    command.add_option("--preset", preset, "Preset by name or file")->type_name("NAME|FILE");
+    command.add_option("--technique", technique, "Search technique, see relievo describe techniques")->type_name("KEY");
+    command.add_option("--set", set, "Parameter, repeatable, see relievo describe parameters")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--mesh", mesh, "Mesh file or shape")->type_name("FILE|plane|sphere|cylinder|torus|box");
+    command.add_option("--environment", environment, "Equirectangular picture (hdr, exr) that lights the scene, or studio")
+        ->type_name("FILE");
+    command.add_option("--camera", camera, "yaw=DEG,pitch=DEG,distance=M,target=X:Y:Z (M),fov=DEG, any of them")->type_name("SETTINGS");
+    command.add_option("--depth-map", depthMap, "Height map where white is deep")->type_name("FILE");
+    for (const MapKindRow& row : kMapKinds)
+        command.add_option("--" + std::string(row.key), maps[std::string(row.key)], std::string(row.label) + " map")->type_name("FILE");
+}
+
+bool StateOptions::changesState() const
+{
+    const bool mapGiven = std::ranges::any_of(maps, [](const auto& map) { return !map.second.empty(); });
+    return mapGiven || !set.empty() || !(preset + technique + mesh + environment + camera + depthMap).empty();
+}
+
+namespace
+{
+
+std::string absolutePath(const std::string& file)
+{
+    return fs::absolute(file).lexically_normal().string();
+}
+
+// The maps given by hand. A file that is not there is the user's slip, not a map gone missing.
+Expected<void> setMaps(const StateOptions& options, MapSlots& slots)
+{
+    const auto assign = [&](MapKind kind, const std::string& file, bool invert) -> Expected<void> {
+        if (!fs::exists(file))
+            return failure(file, "there is no such file", "Check the path of --" + std::string(row(kind).key));
+        slots[std::size_t(kind)] = {absolutePath(file), Channel::Rgb, invert};
+        return {};
+    };
+    for (const auto& [key, file] : options.maps)
+        if (!file.empty())
+            if (auto done = assign(*findMapKind(key), file, false); !done)
+                return done;
+    if (!options.depthMap.empty())
+        return assign(MapKind::Height, options.depthMap, true);
+    return {};
+}
+
+Result<void> applyOptions(const StateOptions& options, Opened& opened)
+{
+    State& state = opened.state;
+    if (!options.preset.empty()) {
+        auto read = readPreset(state, options.preset);
+        if (!read)
+            return problem(read.error());
+        state = std::move(read->state);
+        opened.warnings.insert(opened.warnings.end(), read->warnings.begin(), read->warnings.end());
+    }
+    if (!options.technique.empty()) {
+        if (!findTechnique(options.technique))
+            return problem(
+                {"there is no such technique", "--technique " + options.technique, "relievo describe techniques lists them"}, WrongUsage);
+        state.panes = {Pane{options.technique, {}}};
+    }
+    for (const std::string& assignment : options.set)
+        if (const auto done = setParameter(state, assignment); !done)
+            return problem(done.error(), WrongUsage);
+    if (!options.mesh.empty())
+        state.mesh = std::ranges::count(kShapes, options.mesh) ? options.mesh : absolutePath(options.mesh);
+    if (!options.environment.empty())
+        state.environment = options.environment == "studio" ? options.environment : absolutePath(options.environment);
+    if (!options.camera.empty())
+        if (const auto done = setCamera(state.camera, options.camera); !done)
+            return problem(done.error(), WrongUsage);
+    return {};
+}
+
+} // namespace
+
+Result<Opened> openState(const StateOptions& options, const Progress& progress)
+{
+    Opened opened;
+    const bool mapGiven
+        = !options.depthMap.empty() || std::ranges::any_of(options.maps, [](const auto& map) { return !map.second.empty(); });
+    if (!options.source.empty()) {
+        auto fromSource = openSource(options.source, State(), progress);
+        if (!fromSource)
+            return problem(fromSource.error());
+        opened = std::move(*fromSource);
+    } else if (!mapGiven) {
+        return problem({"there is nothing to open", "SOURCE", "Name a folder, an image, a project or sample:bricks"}, WrongUsage);
+    }
+    if (const auto done = setMaps(options, opened.state.slots); !done)
+        return problem(done.error());
+    if (const auto done = applyOptions(options, opened); !done)
+        return tl::unexpected(done.error());
+    return opened;
+}
+
+Result<Scene> openScene(const StateOptions& options, const Progress& progress)
+{
+    auto opened = openState(options, progress);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    auto resources = loadResources(opened->state, opened->images, {}, progress);
+    if (!resources)
+        return problem(resources.error());
+    Scene scene{std::move(opened->state), std::move(*resources), std::move(opened->warnings)};
+    for (const Warnings* more : {&scene.resources.material->warnings, &scene.resources.mesh->warnings})
+        for (const Warning& warning : *more)
+            if (!std::ranges::count(scene.warnings, warning))
+                scene.warnings.push_back(warning);
+    return scene;
+}
+
+Progress shownProgress(const Common& common)
+{
+    Progress progress;
+    if (common.quiet || !(common.progress || isatty(STDERR_FILENO)))
+        return progress;
+    progress.report = [last = std::make_shared<int>(-1)](float share) {
+        const int percent = int(share * 100.f);
+        if (percent == *last)
+            return;
+        *last = percent;
+        std::fprintf(stderr, "\r%3d %%%s", percent, percent == 100 ? "\n" : "");
+    };
+    return progress;
+}
+
+int tell(const Problem& problem)
+{
+    std::fprintf(stderr, "relievo: error: %s\n", message(problem.error).c_str());
+    return problem.exitCode;
+}
+
+void tell(const Warnings& warnings, const Common& common)
+{
+    if (!common.quiet)
+        for (const Warning& warning : warnings)
+            std::fprintf(stderr, "relievo: warning: %s\n", warning.text.c_str());
+}
+
+nlohmann::ordered_json warningsJson(const Warnings& warnings)
+{
+    auto list = nlohmann::ordered_json::array();
+    for (const Warning& warning : warnings)
+        list.push_back({{"code", warning.code}, {"text", warning.text}});
+    return list;
+}
+
+} // namespace relievo::cli

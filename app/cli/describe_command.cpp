@@ -1,0 +1,177 @@
+// relievo describe: the tables, as text, markdown or JSON.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions.h"
+#include "app/cli/command.h"
+#include "core/exporters/exporters.h"
+#include "core/maps/maps.h"
+#include "core/state/techniques.h"
+#include "core/state/views.h"
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace relievo::cli
+{
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+// A table as rows of named cells; values keep their kind for JSON.
+using Table = std::vector<Json>;
+
+Json valueJson(const ParameterRow& row, const Value& value)
+{
+    if (const bool* b = std::get_if<bool>(&value))
+        return *b;
+    if (const int* i = std::get_if<int>(&value); i && row.options.empty())
+        return *i;
+    if (std::holds_alternative<float>(value))
+        return Json::parse(toText(row, value));
+    return toText(row, value);
+}
+
+std::string_view kindOf(const ParameterRow& row)
+{
+    constexpr std::string_view names[] = {"number", "whole", "switch", "color"};
+    return row.options.empty() ? names[row.member.index()] : "choice";
+}
+
+Table parameters()
+{
+    Table table;
+    for (const ParameterRow& row : kParameters)
+        table.push_back({{"key", row.key}, {"label", row.label}, {"group", kGroupLabels[std::size_t(row.group)]}, {"kind", kindOf(row)},
+            {"default", valueJson(row, get(Parameters(), row))}, {"min", Json::parse(toText(kParameters[0], row.min))},
+            {"max", Json::parse(toText(kParameters[0], row.max))}, {"unit", row.unit}, {"options", row.options}, {"help", row.help}});
+    return table;
+}
+
+Table techniques()
+{
+    Table table;
+    for (const TechniqueRow& row : kTechniques)
+        table.push_back({{"key", row.key}, {"label", row.label}, {"maps", row.maps}, {"parameters", row.parameters},
+            {"searches", row.searches}, {"canMiss", row.canMiss}, {"isExact", row.isExact}, {"paper", row.paper}, {"help", row.help}});
+    return table;
+}
+
+Table maps()
+{
+    Table table;
+    for (const MapRow& row : kMaps)
+        table.push_back({{"key", row.key}, {"label", row.label}, {"unit", row.unit}, {"channels", row.channels}, {"help", row.help}});
+    return table;
+}
+
+Table views()
+{
+    Table table;
+    for (const ViewRow& row : kViews)
+        table.push_back({{"key", row.key}, {"label", row.label}, {"unit", row.unit}, {"heat", row.isHeat}, {"help", row.help}});
+    return table;
+}
+
+Table exports()
+{
+    Table table;
+    for (const ExportRow& row : kExports)
+        table.push_back(
+            {{"key", row.key}, {"label", row.label}, {"suffix", row.suffix.empty() ? "folder" : row.suffix}, {"help", row.help}});
+    return table;
+}
+
+Table actions()
+{
+    Table table;
+    for (const ActionRow& row : kActions)
+        table.push_back({{"key", row.key}, {"menu", row.menu}, {"label", row.label}, {"shortcut", row.shortcut}, {"help", row.help}});
+    return table;
+}
+
+struct TableRow {
+    std::string_view key, title;
+    Table (*rows)();
+};
+constexpr TableRow kTables[]
+    = {{"parameters", "Parameters", parameters}, {"techniques", "Techniques", techniques}, {"maps", "Baked maps", maps},
+        {"views", "Views", views}, {"exports", "Export targets", exports}, {"actions", "Actions of the window", actions}};
+
+std::string cell(const Json& value)
+{
+    if (value.is_boolean())
+        return value.get<bool>() ? "yes" : "no";
+    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2)
+        text.insert(at, "\\");
+    return text;
+}
+
+std::string markdown(const TableRow& table)
+{
+    const Table rows = table.rows();
+    std::string head, rule, body;
+    for (const auto& [name, value] : rows.front().items()) {
+        head += "| " + name + ' ';
+        rule += "|---";
+    }
+    for (const Json& row : rows) {
+        for (const auto& [name, value] : row.items())
+            body += "| " + cell(value) + ' ';
+        body += "|\n";
+    }
+    return "## " + std::string(table.title) + "\n\n" + head + "|\n" + rule + "|\n" + body + '\n';
+}
+
+std::string plain(const TableRow& table)
+{
+    std::string text = std::string(table.title) + '\n';
+    for (const Json& row : table.rows()) {
+        std::string details;
+        for (const auto& [name, value] : row.items())
+            if (name != "key" && name != "help" && name != "label" && !cell(value).empty() && cell(value) != "-")
+                details += (details.empty() ? "" : ", ") + name + ' ' + cell(value);
+        text += "  " + row["key"].get<std::string>() + ": " + row["label"].get<std::string>()
+            + (details.empty() ? "" : " (" + details + ')') + "\n      " + row["help"].get<std::string>() + '\n';
+    }
+    return text + '\n';
+}
+
+struct DescribeOptions {
+    std::string table;
+    bool json = false, markdown = false;
+};
+
+void describe(const DescribeOptions& options)
+{
+    Json all = Json::object();
+    for (const TableRow& table : kTables) {
+        if (!options.table.empty() && options.table != table.key)
+            continue;
+        if (options.json)
+            all[std::string(table.key)] = table.rows();
+        else
+            std::fputs((options.markdown ? markdown(table) : plain(table)).c_str(), stdout);
+    }
+    if (options.json)
+        std::puts(all.dump().c_str());
+}
+
+} // namespace
+
+void addDescribe(CLI::App& app, int&)
+{
+    auto options = std::make_shared<DescribeOptions>();
+    CLI::App* command = app.add_subcommand("describe", "The tables: parameters, techniques, maps, views, exports, actions");
+    std::vector<std::string> keys;
+    for (const TableRow& table : kTables)
+        keys.emplace_back(table.key);
+    command->add_option("TABLE", options->table, "One table; all when not given")->check(CLI::IsMember(keys));
+    command->add_flag("--json", options->json, "As one JSON object");
+    command->add_flag("--markdown", options->markdown, "As markdown tables");
+    command->callback([options] { describe(*options); });
+}
+
+} // namespace relievo::cli

@@ -1,0 +1,70 @@
+// relievo export: a row of the export table.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command.h"
+#include "core/exporters/exporters.h"
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace relievo::cli
+{
+
+namespace
+{
+
+struct ExportOptions {
+    Common common;
+    StateOptions state;
+    std::string out, target;
+    int size = 0;
+};
+
+Result<Exported> exportScene(const ExportOptions& options)
+{
+    const ExportRow* row = findExport(options.target);
+    if (!row)
+        return problem({"there is no such target", "--target " + options.target, "relievo describe exports lists them"}, WrongUsage);
+    const Progress progress = shownProgress(options.common);
+    const auto scene = openScene(options.state, progress);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    auto exported = row->run({scene->state, scene->resources, options.out, options.size, progress});
+    if (!exported)
+        return problem(exported.error());
+    exported->warnings.insert(exported->warnings.begin(), scene->warnings.begin(), scene->warnings.end());
+    return *exported;
+}
+
+} // namespace
+
+void addExport(CLI::App& app, int& exitCode)
+{
+    auto options = std::make_shared<ExportOptions>();
+    CLI::App* command = app.add_subcommand("export", "Writes the material for another program");
+    options->state.addTo(*command);
+    options->common.addTo(*command);
+    command->add_option("--target", options->target, "What to write, see relievo describe exports")->required()->type_name("KEY");
+    command->add_option("-o", options->out, "File or folder to write, as the target wants")->required()->type_name("FOLDER|FILE");
+    command->add_option("--size", options->size, "Longest side of written textures in texels; each map's own when not given")
+        ->check(CLI::Range(1, 16384))
+        ->type_name("N");
+    command->callback([options, &exitCode] {
+        const auto exported = exportScene(*options);
+        if (!exported) {
+            exitCode = tell(exported.error());
+            return;
+        }
+        tell(exported->warnings, options->common);
+        auto files = nlohmann::ordered_json::array();
+        for (const auto& file : exported->files)
+            files.push_back(file.string());
+        if (options->common.json)
+            std::puts(nlohmann::ordered_json{{"files", files}, {"warnings", warningsJson(exported->warnings)}}.dump().c_str());
+        else if (!options->common.quiet)
+            for (const auto& file : exported->files)
+                std::puts(file.c_str());
+    });
+}
+
+} // namespace relievo::cli

@@ -1,0 +1,86 @@
+// relievo info: what was found in a texture set, a project or a mesh.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command.h"
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace relievo::cli
+{
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+struct InfoOptions {
+    Common common;
+    std::string source;
+};
+
+// One JSON object for all kinds of source; the text for people is made from it.
+Result<Json> infoOf(const InfoOptions& options)
+{
+    const Progress progress = shownProgress(options.common);
+    if (isMeshFile(options.source) || std::ranges::count(kShapes, options.source)) {
+        const auto mesh = openMesh(options.source, progress);
+        if (!mesh)
+            return problem(mesh.error());
+        return Json::parse(meshJson(*mesh));
+    }
+    if (isProjectFile(options.source) || options.source.starts_with("sample:")) {
+        const auto opened = openSource(options.source, State(), progress);
+        if (!opened)
+            return problem(opened.error());
+        auto set = textureSetOf(opened->state.name, opened->state.slots, std::filesystem::absolute(options.source).parent_path());
+        set.warnings.insert(set.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
+        return Json::parse(textureSetJson(set));
+    }
+    const auto set = openTextureSet(options.source, progress);
+    if (!set)
+        return problem(set.error());
+    return Json::parse(textureSetJson(*set));
+}
+
+std::string text(const Json& info)
+{
+    std::string out = info["name"].get<std::string>() + '\n';
+    if (info.contains("maps"))
+        for (const Json& map : info["maps"]) {
+            char range[64];
+            std::snprintf(range, sizeof range, "%.4g to %.4g", map["min"].get<double>(), map["max"].get<double>());
+            out += "  " + map["kind"].get<std::string>() + ": " + map["file"].get<std::string>() + " [" + map["channel"].get<std::string>()
+                + "], " + map["width"].dump() + " x " + map["height"].dump() + ", " + map["bits"].dump() + " bit, "
+                + map["convention"].get<std::string>() + ", values " + range + '\n';
+        }
+    if (info.contains("vertices")) {
+        out += "  " + info["vertices"].dump() + " vertices, " + info["triangles"].dump() + " triangles, "
+            + std::to_string(info["parts"].size()) + " parts\n";
+        for (const char* key : {"uvs", "normals", "tangents"})
+            out += std::string("  ") + key + ": " + (info[key].get<bool>() ? "in the file" : "made") + '\n';
+        out += "  bounds (m): " + info["bounds"][0].dump() + " to " + info["bounds"][1].dump() + '\n';
+    }
+    for (const Json& warning : info["warnings"])
+        out += "  warning: " + warning["text"].get<std::string>() + '\n';
+    return out;
+}
+
+} // namespace
+
+void addInfo(CLI::App& app, int& exitCode)
+{
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = app.add_subcommand("info", "What is in a texture set, project or mesh");
+    command->add_option("SOURCE", options->source, "Texture set, image, project, or mesh")->required();
+    options->common.addTo(*command);
+    command->callback([options, &exitCode] {
+        const auto info = infoOf(*options);
+        if (!info)
+            exitCode = tell(info.error());
+        else
+            std::fputs((options->common.json ? info->dump() + '\n' : text(*info)).c_str(), stdout);
+    });
+}
+
+} // namespace relievo::cli

@@ -1,0 +1,22 @@
+// Rays in and hits out as CSV (cli.md, trace).
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/trace/ray.h"
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace relievo::cli
+{
+
+// Header u,v,du,dv[,cosView]. Without cosView: depth / sqrt(depth^2 + |duv|^2), 1 where that is 0 / 0.
+// Errors name file and line. "nan" and "inf" are numbers here: such a ray is answered, not refused.
+Expected<std::vector<SearchRay>> readRays(const std::filesystem::path& file, double depth);
+
+// hit,t,u,v,fetches and one line a hit; numbers read back exactly.
+std::string hitsText(std::span<const SearchHit> hits);
+
+} // namespace relievo::cli

@@ -1,0 +1,65 @@
+// relievo without a command: the options become a State, and the editor takes this process's place.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command.h"
+#include "core/state/state_json.h"
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <unistd.h>
+
+namespace relievo::cli
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+
+// Runs relievo-editor beside this program; returns only on failure.
+int execute(std::vector<std::string> arguments)
+{
+    std::error_code code;
+    const fs::path editor = fs::read_symlink("/proc/self/exe", code).parent_path() / "relievo-editor";
+    arguments.insert(arguments.begin(), editor.string());
+    std::vector<char*> argv;
+    for (std::string& argument : arguments)
+        argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    execv(editor.c_str(), argv.data());
+    return tell(
+        {{std::string("the editor cannot be started (") + std::strerror(errno) + ')', editor.string(), "Install it beside relievo"}});
+}
+
+} // namespace
+
+int startEditor(int argc, char** argv)
+{
+    StateOptions options;
+    CLI::App app("Opens the editor");
+    options.addTo(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? Done : WrongUsage;
+    }
+    std::error_code code;
+    if (!options.source.empty() && !options.source.starts_with("sample:") && !fs::exists(options.source, code))
+        return tell({{"there is no such file, folder or command", options.source, "relievo --help lists the commands"}, WrongUsage});
+    if (!options.changesState())
+        return execute(options.source.empty() ? std::vector<std::string>() : std::vector{options.source});
+
+    if (options.source.empty())
+        options.source = "sample:bricks";
+    const auto opened = openState(options, {});
+    if (!opened)
+        return tell(opened.error());
+    tell(opened->warnings, {});
+    const fs::path file = fs::temp_directory_path() / ("relievo-" + std::to_string(getpid()) + ".json");
+    if (const auto written = writeState(opened->state, file); !written)
+        return tell({written.error()});
+    return execute({"--state-json", file.string()});
+}
+
+} // namespace relievo::cli

@@ -1,0 +1,127 @@
+// relievo trace: a technique's search on given rays.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command.h"
+#include "app/cli/rays_csv.h"
+#include "core/file.h"
+#include "core/shader_text/program_text.h"
+#include "core/shader_text/shader_files.h"
+#include "core/state/techniques.h"
+#include "core/trace/shader_on_cpu.h"
+#include "render/windowless.h"
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace relievo::cli
+{
+
+namespace
+{
+
+struct TraceOptions {
+    Common common;
+    StateOptions state;
+    std::string rays, out, device = "cpu";
+};
+
+// The CPU runs the text that was compiled in; a changed folder would silently not count.
+void warnOfOtherTexts(Warnings& warnings)
+{
+    const char* folder = std::getenv("RELIEVO_SHADERS");
+    if (!folder || !*folder)
+        return;
+    const ShaderReader read = folderReader(folder);
+    for (const ShaderFile& file : embeddedShaders())
+        if (const auto text = read(file.name); text && *text != file.text) {
+            warnings.push_back({"shaders-differ",
+                std::string(file.name)
+                    + " in RELIEVO_SHADERS differs from the text that --device cpu runs; rebuild Relievo or use --device gl"});
+            return;
+        }
+}
+
+Expected<std::vector<SearchHit>> run(const TraceOptions& options, std::string_view technique, const Parameters& parameters,
+    const HeightField* field, std::span<const SearchRay> rays)
+{
+    if (options.device == "cpu")
+        return traceRays(technique, parameters, field, rays, shownProgress(options.common));
+    const auto context = WindowlessContext::create();
+    if (!context)
+        return tl::unexpected(context.error());
+    return traceRaysOnGpu(technique, parameters, field, rays);
+}
+
+struct Traced {
+    Warnings warnings;
+    std::size_t rays = 0, found = 0;
+    double fetches = 0;
+};
+
+Result<Traced> trace(const TraceOptions& options)
+{
+    auto opened = openState(options.state, shownProgress(options.common));
+    if (!opened)
+        return tl::unexpected(opened.error());
+    const Parameters parameters = effectiveParameters(opened->state, 0);
+    MapSlots slots = opened->state.slots; // the search reads heights only
+    for (const MapKindRow& row : kMapKinds)
+        if (row.kind != MapKind::Height)
+            slots[std::size_t(row.kind)] = {};
+    Traced traced{opened->warnings};
+    std::optional<HeightField> field;
+    if (!slots[std::size_t(MapKind::Height)].empty()) {
+        const auto material = loadMaterial(slots, opened->images);
+        if (!material)
+            return problem(material.error());
+        traced.warnings.insert(traced.warnings.end(), material->warnings.begin(), material->warnings.end());
+        if (material->height)
+            field = material->height->withWrap(parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat);
+    }
+    const auto rays = readRays(options.rays, parameters.depth);
+    if (!rays)
+        return problem(rays.error());
+    if (options.device == "cpu")
+        warnOfOtherTexts(traced.warnings);
+    const auto hits = run(options, opened->state.panes.front().technique, parameters, field ? &*field : nullptr, *rays);
+    if (!hits)
+        return problem(hits.error());
+    if (const auto written = writeAtomically(options.out, hitsText(*hits)); !written)
+        return problem(written.error());
+    traced.rays = hits->size();
+    for (const SearchHit& hit : *hits)
+        traced.found += hit.found, traced.fetches += hit.fetches;
+    return traced;
+}
+
+} // namespace
+
+void addTrace(CLI::App& app, int& exitCode)
+{
+    auto options = std::make_shared<TraceOptions>();
+    CLI::App* command = app.add_subcommand("trace", "Runs a technique's search on given rays");
+    options->state.addTo(*command);
+    options->common.addTo(*command);
+    command
+        ->add_option("--rays", options->rays,
+            "CSV with the header u,v,du,dv and optionally ,cosView; (du, dv) is the shift of uv over the full depth")
+        ->required()
+        ->type_name("IN.csv");
+    command->add_option("-o", options->out, "CSV to write: hit,t,u,v,fetches")->required()->type_name("HITS.csv");
+    command->add_option("--device", options->device, "Where the search runs")->check(CLI::IsMember({"cpu", "gl"}))->type_name("cpu|gl");
+    command->callback([options, &exitCode] {
+        const auto traced = trace(*options);
+        if (!traced) {
+            exitCode = tell(traced.error());
+            return;
+        }
+        tell(traced->warnings, options->common);
+        if (options->common.json)
+            std::puts(nlohmann::ordered_json{{"file", options->out}, {"rays", traced->rays}, {"found", traced->found},
+                {"meanFetches", traced->rays ? traced->fetches / double(traced->rays) : 0.}, {"warnings", warningsJson(traced->warnings)}}
+                          .dump()
+                          .c_str());
+    });
+}
+
+} // namespace relievo::cli

@@ -1,0 +1,120 @@
+// Texture Jacobians and tangents of a mesh (design.md section 3), from its triangles.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/frames.h"
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace relievo
+{
+
+float signedUVArea(glm::vec2 a, glm::vec2 b, glm::vec2 c)
+{
+    const glm::vec2 e1 = b - a, e2 = c - a;
+    return e1.x * e2.y - e1.y * e2.x;
+}
+
+glm::vec3 perpendicular(glm::vec3 n)
+{
+    const glm::vec3 axis = std::abs(n.x) < 0.6f ? glm::vec3(1.f, 0.f, 0.f) : glm::vec3(0.f, 0.f, 1.f);
+    return glm::normalize(axis - n * glm::dot(n, axis));
+}
+
+namespace
+{
+// What one triangle says about the size and direction of the texture on it.
+struct TriangleFrame {
+    glm::vec3 dPdu{0.f}, dPdv{0.f};
+    float area = 0.f; // m2
+    float uvArea = 0.f; // 0: degenerate, dPdu and dPdv say nothing
+};
+
+TriangleFrame frameOf(const Vertex& a, const Vertex& b, const Vertex& c)
+{
+    TriangleFrame frame;
+    const glm::vec3 p1 = b.position - a.position, p2 = c.position - a.position;
+    frame.area = 0.5f * glm::length(glm::cross(p1, p2));
+    const glm::vec2 t1 = b.uv - a.uv, t2 = c.uv - a.uv;
+    const float twice = t1.x * t2.y - t1.y * t2.x;
+    // An area below the rounding of its own edges has no direction.
+    const float rounding = 1e-6f * (glm::dot(t1, t1) + glm::dot(t2, t2));
+    if (!(std::abs(twice) > rounding) || !std::isfinite(twice) || !std::isfinite(frame.area) || frame.area <= 0.f)
+        return frame;
+    frame.dPdu = (p1 * t2.y - p2 * t1.y) / twice;
+    frame.dPdv = (p2 * t1.x - p1 * t2.x) / twice;
+    frame.uvArea = 0.5f * std::abs(twice);
+    if (!std::isfinite(glm::dot(frame.dPdu, frame.dPdu) + glm::dot(frame.dPdv, frame.dPdv)))
+        frame.uvArea = 0.f;
+    return frame;
+}
+
+void measureBounds(Mesh& mesh)
+{
+    mesh.boundsMin = mesh.boundsMax = mesh.vertices.empty() ? glm::vec3(0.f) : mesh.vertices.front().position;
+    for (const Vertex& vertex : mesh.vertices) {
+        mesh.boundsMin = glm::min(mesh.boundsMin, vertex.position);
+        mesh.boundsMax = glm::max(mesh.boundsMax, vertex.position);
+    }
+}
+
+float largestSide(const Mesh& mesh)
+{
+    const glm::vec3 size = mesh.boundsMax - mesh.boundsMin;
+    const float side = std::max({size.x, size.y, size.z});
+    return side > 0.f && std::isfinite(side) ? side : 1.f;
+}
+
+// The Jacobian and tangent of one vertex from the weighted sums over its triangles (weight 0: none had usable UVs).
+void setFrame(Vertex& vertex, float weight, float metresPerUV)
+{
+    const glm::vec3 n = vertex.normal;
+    if (weight > 0.f) {
+        vertex.dPdu /= weight;
+        vertex.dPdv /= weight;
+        vertex.dPdu -= n * glm::dot(n, vertex.dPdu);
+        vertex.dPdv -= n * glm::dot(n, vertex.dPdv);
+    }
+    const float lengths = glm::length(vertex.dPdu) * glm::length(vertex.dPdv);
+    const float turn = glm::dot(glm::cross(vertex.dPdu, vertex.dPdv), n);
+    if (!(std::abs(turn) > 1e-4f * lengths) || !std::isfinite(turn) || lengths <= 1e-20f) {
+        vertex.dPdu = perpendicular(n) * metresPerUV;
+        vertex.dPdv = glm::cross(vertex.dPdu, n);
+    }
+    const float sign = glm::dot(glm::cross(vertex.dPdu, vertex.dPdv), n) < 0.f ? 1.f : -1.f; // v runs down: unmirrored is negative
+    vertex.tangent = glm::vec4(glm::normalize(vertex.dPdu), sign);
+}
+} // namespace
+
+void completeFrames(Mesh& mesh, std::span<const glm::vec4> fileTangents)
+{
+    assert(fileTangents.empty() || fileTangents.size() == mesh.vertices.size());
+    measureBounds(mesh);
+    std::vector<float> weights(mesh.vertices.size(), 0.f);
+    for (Vertex& vertex : mesh.vertices)
+        vertex.dPdu = vertex.dPdv = glm::vec3(0.f);
+    double area = 0, uvArea = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const TriangleFrame frame
+            = frameOf(mesh.vertices[mesh.indices[i]], mesh.vertices[mesh.indices[i + 1]], mesh.vertices[mesh.indices[i + 2]]);
+        if (frame.uvArea <= 0.f)
+            continue;
+        area += double(frame.area);
+        uvArea += double(frame.uvArea);
+        for (std::size_t k = i; k < i + 3; ++k) {
+            const std::uint32_t at = mesh.indices[k];
+            mesh.vertices[at].dPdu += frame.dPdu * frame.area;
+            mesh.vertices[at].dPdv += frame.dPdv * frame.area;
+            weights[at] += frame.area;
+        }
+    }
+    const double measured = uvArea > 0 ? std::sqrt(area / uvArea) : 0.0;
+    mesh.metresPerUV = measured > 1e-12 && measured < 1e12 ? float(measured) : largestSide(mesh);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        setFrame(mesh.vertices[i], weights[i], mesh.metresPerUV);
+        if (!fileTangents.empty() && fileTangents[i].w != 0.f)
+            mesh.vertices[i].tangent = fileTangents[i];
+    }
+}
+
+} // namespace relievo

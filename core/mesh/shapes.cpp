@@ -1,0 +1,151 @@
+// Plane, sphere, cylinder, torus and box by formula.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/shapes.h"
+#include "core/mesh/frames.h"
+#include <cmath>
+#include <numbers>
+
+namespace relievo
+{
+
+namespace
+{
+constexpr float kPi = std::numbers::pi_v<float>;
+
+struct Point {
+    glm::vec3 position, normal;
+    glm::vec2 uv;
+};
+
+// A grid of columns x rows quads over (s, t) in [0, 1]^2; seen from outside, s runs to the right and t down.
+template <class Surface> void addGrid(Mesh& mesh, unsigned columns, unsigned rows, Surface surface)
+{
+    const auto first = std::uint32_t(mesh.vertices.size());
+    for (unsigned j = 0; j <= rows; ++j) {
+        for (unsigned i = 0; i <= columns; ++i) {
+            const Point p = surface(float(i) / float(columns), float(j) / float(rows));
+            mesh.vertices.push_back({.position = p.position, .normal = p.normal, .uv = p.uv, .tangent = {}, .dPdu = {}, .dPdv = {}});
+        }
+    }
+    const auto samePlace
+        = [&mesh](std::uint32_t a, std::uint32_t b) { return glm::distance(mesh.vertices[a].position, mesh.vertices[b].position) < 1e-6f; };
+    const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        if (!samePlace(a, b) && !samePlace(b, c) && !samePlace(c, a)) // at a pole one of the two is a line
+            mesh.indices.insert(mesh.indices.end(), {a, b, c});
+    };
+    for (unsigned j = 0; j < rows; ++j) {
+        for (unsigned i = 0; i < columns; ++i) {
+            const std::uint32_t topLeft = first + j * (columns + 1) + i, bottomLeft = topLeft + columns + 1;
+            triangle(topLeft, bottomLeft, bottomLeft + 1);
+            triangle(topLeft, bottomLeft + 1, topLeft + 1);
+        }
+    }
+}
+
+void makePlane(Mesh& mesh)
+{
+    addGrid(mesh, 1, 1, [](float s, float t) { return Point{{s - 0.5f, 0.f, t - 0.5f}, {0.f, 1.f, 0.f}, {s, t}}; });
+}
+
+// Around the y axis from +z towards +x.
+glm::vec3 around(float share)
+{
+    const float angle = 2.f * kPi * share;
+    return {std::sin(angle), 0.f, std::cos(angle)};
+}
+
+// 4 x 2 tiles. At a pole each triangle has its own vertex with the UV of its middle, so that the pinch stays a point.
+void makeSphere(Mesh& mesh)
+{
+    constexpr unsigned kColumns = 128, kRows = 64;
+    addGrid(mesh, kColumns, kRows, [](float s, float t) {
+        const float polar = kPi * t;
+        const bool north = t == 0.f, south = t == 1.f;
+        const float ring = north || south ? 0.f : std::sin(polar);
+        const glm::vec3 n = around(s) * ring + glm::vec3(0.f, north ? 1.f : south ? -1.f : std::cos(polar), 0.f);
+        const float halfCell = north ? 0.5f / kColumns : south ? -0.5f / kColumns : 0.f;
+        return Point{0.5f * n, n, {4.f * (s + halfCell), 2.f * t}};
+    });
+}
+
+// The side is 4 x 2 tiles of 0.5 m; the caps carry tiles of the same size.
+void makeCylinder(Mesh& mesh)
+{
+    constexpr float kRadius = 1.f / kPi, kTile = 0.5f;
+    constexpr unsigned kColumns = 128;
+    addGrid(mesh, kColumns, 16, [](float s, float t) {
+        return Point{kRadius * around(s) + glm::vec3(0.f, 0.5f - t, 0.f), around(s), {4.f * s, 2.f * t}};
+    });
+    for (const float side : {1.f, -1.f}) {
+        addGrid(mesh, kColumns, 8, [side](float s, float t) {
+            // Looking down on the top s must run against the side's turn for the triangles to face outwards.
+            const glm::vec3 p = kRadius * t * around(side > 0.f ? s : 1.f - s);
+            return Point{p + glm::vec3(0.f, 0.5f * side, 0.f), {0.f, side, 0.f}, {0.5f + p.x / kTile, 0.5f + side * p.z / kTile}};
+        });
+    }
+}
+
+// 5 x 2 tiles; u runs around the hole.
+void makeTorus(Mesh& mesh)
+{
+    constexpr float kTube = 1.f / 7.f, kRing = 0.5f - kTube;
+    addGrid(mesh, 160, 64, [](float s, float t) {
+        const float angle = 2.f * kPi * t; // from the inside over the top to the outside
+        const glm::vec3 n = around(s) * -std::cos(angle) + glm::vec3(0.f, std::sin(angle), 0.f);
+        return Point{kRing * around(s) + kTube * n, n, {5.f * s, 2.f * t}};
+    });
+}
+
+// Each side shows one whole tile, upright on the four walls.
+void makeBox(Mesh& mesh)
+{
+    struct Side {
+        glm::vec3 normal, right, down;
+    };
+    constexpr Side kSides[] = {
+        {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
+        {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}},
+        {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+        {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+        {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+        {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+    };
+    for (const Side& side : kSides) {
+        addGrid(mesh, 1, 1, [&side](float s, float t) {
+            return Point{0.5f * side.normal + (s - 0.5f) * side.right + (t - 0.5f) * side.down, side.normal, {s, t}};
+        });
+    }
+}
+
+struct ShapeRow {
+    std::string_view key, label;
+    void (*make)(Mesh&);
+};
+constexpr ShapeRow kRows[] = {
+    {"plane", "Plane", makePlane},
+    {"sphere", "Sphere", makeSphere},
+    {"cylinder", "Cylinder", makeCylinder},
+    {"torus", "Torus", makeTorus},
+    {"box", "Box", makeBox},
+};
+static_assert(std::size(kRows) == kShapes.size());
+} // namespace
+
+std::optional<Mesh> makeShape(std::string_view key)
+{
+    for (const ShapeRow& row : kRows) {
+        if (row.key != key)
+            continue;
+        Mesh mesh;
+        mesh.name = row.label;
+        row.make(mesh);
+        mesh.parts = {{mesh.name, "material", 0, std::uint32_t(mesh.indices.size())}};
+        mesh.fileVertices = mesh.vertices.size();
+        completeFrames(mesh);
+        return mesh;
+    }
+    return std::nullopt;
+}
+
+} // namespace relievo
