@@ -152,7 +152,7 @@ void Assets::take(const Resources& resources)
     m_messages.clear("load");
     m_messages.set("maps", resources.material->warnings);
     m_messages.set("mesh", resources.mesh->warnings);
-    emit resourcesChanged();
+    Q_EMIT resourcesChanged();
 }
 
 // Undo, redo and pasted States name other files than those that are loaded.

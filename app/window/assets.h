@@ -34,7 +34,7 @@ public:
     // An edit that needs other files: they are loaded first, and the document changes only when all that is new could be read.
     void propose(const QString& text, std::function<void(State&)> change);
 
-signals:
+Q_SIGNALS:
     void resourcesChanged();
 
 private:

@@ -52,7 +52,7 @@ void Background::start(std::function<Then(const Progress&)> work)
         QMetaObject::invokeMethod(this, [this, id, then] { finish(id, then); }, Qt::QueuedConnection);
     })});
     if (!wasBusy)
-        emit busyChanged(true);
+        Q_EMIT busyChanged(true);
 }
 
 void Background::cancel()
@@ -62,13 +62,13 @@ void Background::cancel()
     for (Run& run : m_runs)
         run.thread.request_stop();
     m_current = 0;
-    emit busyChanged(false);
+    Q_EMIT busyChanged(false);
 }
 
 void Background::report(int id, float share)
 {
     if (id == m_current)
-        emit progressed(share);
+        Q_EMIT progressed(share);
 }
 
 void Background::finish(int id, const Then& then)
@@ -80,7 +80,7 @@ void Background::finish(int id, const Then& then)
     if (then)
         then();
     if (!busy())
-        emit busyChanged(false);
+        Q_EMIT busyChanged(false);
 }
 
 } // namespace relievo

@@ -25,7 +25,7 @@ public:
     void cancel(); // no progress and no end will be heard of it
     bool busy() const { return m_current != 0; }
 
-signals:
+Q_SIGNALS:
     void busyChanged(bool busy);
     void progressed(float share); // [0, 1], about 20 times a second at most
 

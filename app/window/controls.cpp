@@ -17,12 +17,13 @@ namespace
 {
 constexpr int kSegmentPadding = 10; // px, left and right of a text
 
-QPainter smooth(QWidget* widget)
-{
-    QPainter painter(widget);
-    painter.setRenderHint(QPainter::Antialiasing);
-    return painter;
-}
+struct SmoothPainter : QPainter {
+    explicit SmoothPainter(QWidget* widget)
+        : QPainter(widget)
+    {
+        setRenderHint(Antialiasing);
+    }
+};
 
 void focusFrame(QPainter& painter, const QWidget& widget, const QRectF& rect, qreal radius)
 {
@@ -80,9 +81,9 @@ int Segmented::at(QPoint point) const
 
 void Segmented::paintEvent(QPaintEvent*)
 {
-    QPainter painter = smooth(this);
+    SmoothPainter painter(this);
     const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-    painter.setPen(line(palette()));
+    painter.setPen(lineColor(palette()));
     painter.setBrush(field(palette()));
     painter.drawRoundedRect(frame, 4, 4);
     for (int i = 0; i < count(); ++i) {
@@ -115,7 +116,7 @@ void Segmented::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton || index < 0)
         return;
     setCurrent(index);
-    emit chosen(index);
+    Q_EMIT chosen(index);
 }
 
 void Segmented::mouseMoveEvent(QMouseEvent* event)
@@ -138,7 +139,7 @@ void Segmented::keyPressEvent(QKeyEvent* event)
     const int next = std::clamp(m_current + step, 0, count() - 1);
     if (next != m_current) {
         setCurrent(next);
-        emit chosen(next);
+        Q_EMIT chosen(next);
     }
 }
 
@@ -164,9 +165,9 @@ Switch::Switch(QWidget* parent)
 
 void Switch::paintEvent(QPaintEvent*)
 {
-    QPainter painter = smooth(this);
+    SmoothPainter painter(this);
     const QRectF track(1, height() / 2. - 7, 28, 14);
-    painter.setPen(isChecked() ? accent(palette()) : line(palette()));
+    painter.setPen(isChecked() ? accent(palette()) : lineColor(palette()));
     painter.setBrush(isChecked() ? accent(palette()) : field(palette()));
     painter.drawRoundedRect(track.adjusted(0.5, 0.5, -0.5, -0.5), 7, 7);
     painter.setPen(Qt::NoPen);
@@ -191,8 +192,8 @@ void Swatch::setColor(const QColor& color)
 
 void Swatch::paintEvent(QPaintEvent*)
 {
-    QPainter painter = smooth(this);
-    painter.setPen(line(palette()));
+    SmoothPainter painter(this);
+    painter.setPen(lineColor(palette()));
     painter.setBrush(m_color);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     focusFrame(painter, *this, QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4);
@@ -219,8 +220,8 @@ protected:
     void leaveEvent(QEvent*) override { update(); }
     void paintEvent(QPaintEvent*) override
     {
-        QPainter painter = smooth(this);
-        icon(isChecked() ? "down" : "right").paint(&painter, QRect(6, (height() - 12) / 2, 12, 12));
+        SmoothPainter painter(this);
+        relievo::icon(isChecked() ? "down" : "right").paint(&painter, QRect(6, (height() - 12) / 2, 12, 12));
         QFont bold = font();
         bold.setWeight(QFont::DemiBold);
         painter.setFont(bold);

@@ -28,7 +28,7 @@ public:
     QSize sizeHint() const override { return {96, 20}; }
     QSize minimumSizeHint() const override { return {48, 20}; }
 
-signals:
+Q_SIGNALS:
     void pressed();
     void moved(double value);
     void released();
@@ -71,7 +71,7 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
-signals:
+Q_SIGNALS:
     void chosen(int index);
 
 protected:

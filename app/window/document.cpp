@@ -89,7 +89,7 @@ void Document::endGesture()
     if (m_depth == 0 || --m_depth > 0)
         return;
     ++m_gesture;
-    emit gestureEnded();
+    Q_EMIT gestureEnded();
 }
 
 void Document::start(const State& state, const QString& file)
@@ -98,7 +98,7 @@ void Document::start(const State& state, const QString& file)
     m_file = file;
     ++m_gesture;
     replace(state);
-    emit titleChanged();
+    Q_EMIT titleChanged();
 }
 
 Expected<void> Document::save(const QString& file)
@@ -108,7 +108,7 @@ Expected<void> Document::save(const QString& file)
     m_file = file;
     m_undo.setClean();
     ++m_gesture;
-    emit titleChanged();
+    Q_EMIT titleChanged();
     return {};
 }
 
@@ -122,9 +122,9 @@ void Document::replace(const State& next)
     const Changes what = differences(m_state, next);
     m_state = next;
     if (what)
-        emit changed(what);
+        Q_EMIT changed(what);
     if (what & Change::Name)
-        emit titleChanged();
+        Q_EMIT titleChanged();
 }
 
 } // namespace relievo

@@ -55,7 +55,7 @@ public:
     const QString& file() const { return m_file; }
     QString name() const; // of the file without suffix, else of the material
 
-signals:
+Q_SIGNALS:
     void changed(relievo::Changes what);
     void titleChanged(); // file, name or modified
     void gestureEnded();

@@ -148,16 +148,16 @@ void ExportDialog::run()
         return;
     const QString out = m_out->text().trimmed();
     if (out.isEmpty())
-        return show(failure(tr("Where to").toStdString(), "no file is named", "Name one"));
+        return tell(failure(tr("Where to").toStdString(), "no file is named", "Name one"));
     QSettings().setValue("folders/export", QFileInfo(out).absolutePath());
     const int size = kSizes[m_size->currentIndex()];
     m_background.start([this, row = target(), state = m_document.state(), resources = m_assets.resources(), out, size](const Progress& progress) -> Background::Then {
         const auto result = row.run(ExportJob{state, resources, out.toStdString(), size, progress});
-        return [this, result] { show(result); };
+        return [this, result] { tell(result); };
     });
 }
 
-void ExportDialog::show(const Expected<Exported>& result)
+void ExportDialog::tell(const Expected<Exported>& result)
 {
     QStringList lines;
     if (result) {
@@ -173,7 +173,7 @@ void ExportDialog::show(const Expected<Exported>& result)
     m_result->setText(lines.join('\n'));
     m_result->show();
     adjustSize();
-    emit finished(result.has_value());
+    Q_EMIT finished(result.has_value());
 }
 
 } // namespace relievo

@@ -25,10 +25,10 @@ public:
     void setOut(const QString& path);
     bool busy() const { return m_background.busy(); }
 
-public slots:
+public Q_SLOTS:
     void run();
 
-signals:
+Q_SIGNALS:
     void finished(bool well);
 
 private:
@@ -36,7 +36,7 @@ private:
     QString proposal() const;
     void targetChosen();
     void browse();
-    void show(const Expected<Exported>& result);
+    void tell(const Expected<Exported>& result);
     const Document& m_document;
     const Assets& m_assets;
     Background m_background;

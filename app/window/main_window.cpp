@@ -1,8 +1,6 @@
 // Putting the window together.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h>
-
 #include "app/window/controls.h"
 #include "app/window/export_dialog.h"
 #include "app/window/files.h"
@@ -14,6 +12,7 @@
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "app/window/viewport.h"
+#include "core/state/views.h"
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>

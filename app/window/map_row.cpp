@@ -85,7 +85,7 @@ MapRow::MapRow(const MapKindRow& kind, QWidget* parent)
     connect(m_clear, &QToolButton::clicked, this, &MapRow::cleared);
     connect(m_locate, &QToolButton::clicked, this, &MapRow::locateWanted);
     connect(m_invert, &QToolButton::clicked, this, &MapRow::inverted);
-    connect(m_channel, &QComboBox::activated, this, [this](int index) { emit channelChosen(Channel(index)); });
+    connect(m_channel, &QComboBox::activated, this, [this](int index) { Q_EMIT channelChosen(Channel(index)); });
     show({}, nullptr);
 }
 
@@ -139,7 +139,7 @@ void MapRow::paintEvent(QPaintEvent*)
 void MapRow::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint()))
-        m_missing ? emit locateWanted() : emit assignWanted();
+        m_missing ? Q_EMIT locateWanted() : Q_EMIT assignWanted();
 }
 
 void MapRow::dragEnterEvent(QDragEnterEvent* event)
@@ -162,7 +162,7 @@ void MapRow::dropEvent(QDropEvent* event)
     m_dropHere = false;
     update();
     event->acceptProposedAction();
-    emit dropped(event->mimeData()->urls().front().toLocalFile());
+    Q_EMIT dropped(event->mimeData()->urls().front().toLocalFile());
 }
 
 } // namespace relievo

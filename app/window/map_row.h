@@ -23,7 +23,7 @@ public:
     void show(const MapSlot& slot, const Material* material);
     bool isMissing() const { return m_missing; }
 
-signals:
+Q_SIGNALS:
     void assignWanted(); // ask for a file
     void locateWanted(); // the file has moved: ask where it is
     void dropped(const QString& file);

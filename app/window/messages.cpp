@@ -15,7 +15,7 @@ void Messages::set(const QString& source, const QList<Message>& messages)
         m_bySource.remove(source);
     else
         m_bySource[source] = messages;
-    emit changed();
+    Q_EMIT changed();
 }
 
 void Messages::set(const QString& source, const Warnings& warnings)

@@ -31,7 +31,7 @@ public:
 
     QList<Message> all() const; // errors first
 
-signals:
+Q_SIGNALS:
     void changed();
 
 private:

@@ -46,7 +46,7 @@ void NumberField::keyPressEvent(QKeyEvent* event)
     if (scale.whole)
         next = std::clamp(m_value + step, scale.min, scale.max);
     setValue(next);
-    emit entered(next);
+    Q_EMIT entered(next);
 }
 
 void NumberField::commit()
@@ -63,9 +63,9 @@ void NumberField::commit()
     const bool differs = allowed != m_value;
     setValue(allowed);
     if (differs)
-        emit entered(allowed);
+        Q_EMIT entered(allowed);
     if (allowed != typed)
-        emit outOfRange();
+        Q_EMIT outOfRange();
 }
 
 } // namespace relievo

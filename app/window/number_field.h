@@ -15,7 +15,7 @@ public:
     explicit NumberField(const ParameterRow& row, QWidget* parent = nullptr);
     void setValue(double value); // without signals
 
-signals:
+Q_SIGNALS:
     void entered(double value); // typed and done, within the row's limits
     void outOfRange(); // typed beyond the limits; the nearest allowed value was entered
 

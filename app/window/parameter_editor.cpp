@@ -176,7 +176,7 @@ void ParameterEditor::addColor(QHBoxLayout* layout)
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->setOptions(QColorDialog::NoButtons | QColorDialog::DontUseNativeDialog);
         dialog->setWindowTitle(m_label->text());
-        emit pressed();
+        Q_EMIT pressed();
         connect(dialog, &QColorDialog::currentColorChanged, this, [this, swatch](const QColor& color) {
             swatch->setColor(color);
             change(toLinear(color));
@@ -189,7 +189,7 @@ void ParameterEditor::addColor(QHBoxLayout* layout)
 void ParameterEditor::change(const Value& value)
 {
     m_value = value;
-    emit edited(value);
+    Q_EMIT edited(value);
 }
 
 void ParameterEditor::show(const Value& value, bool overridden)
@@ -205,7 +205,7 @@ void ParameterEditor::show(const Value& value, bool overridden)
 bool ParameterEditor::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_label && event->type() == QEvent::MouseButtonDblClick) {
-        emit resetWanted();
+        Q_EMIT resetWanted();
         return true;
     }
     return QWidget::eventFilter(watched, event);

@@ -23,7 +23,7 @@ public:
     // Shows a value without signals. `overridden`: it is one pane's own, marked in the label.
     void show(const Value& value, bool overridden);
 
-signals:
+Q_SIGNALS:
     void edited(const relievo::Value& value);
     void pressed(); // a gesture begins: edits up to `released` are one step
     void released();

@@ -77,7 +77,7 @@ void ParameterPanel::setScope(Scope scope)
         return;
     m_scope = scope;
     refresh();
-    emit scopeChanged(scope);
+    Q_EMIT scopeChanged(scope);
 }
 
 void ParameterPanel::refresh()

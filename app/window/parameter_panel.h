@@ -23,7 +23,7 @@ public:
     Scope scope() const { return m_scope; }
     void setScope(Scope scope);
 
-signals:
+Q_SIGNALS:
     void scopeChanged(relievo::Scope scope);
 
 private:

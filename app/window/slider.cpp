@@ -77,7 +77,7 @@ void Slider::mousePressEvent(QMouseEvent* event)
     m_startValue = m_value;
     m_pressX = m_lastX = event->position().x();
     m_anchor = m_scale.position(m_value);
-    emit pressed();
+    Q_EMIT pressed();
     if (std::abs(event->position().x() - handle().x()) > kGrab) {
         m_anchor = std::clamp((event->position().x() - kHandle - 1) / span(), 0., 1.);
         moveTo(m_scale.rounded(m_scale.value(m_anchor), grainOf(event->modifiers())));
@@ -107,14 +107,14 @@ void Slider::mouseReleaseEvent(QMouseEvent* event)
     if (!m_dragging || event->button() != Qt::LeftButton)
         return;
     m_dragging = false;
-    emit released();
+    Q_EMIT released();
     update();
 }
 
 void Slider::mouseDoubleClickEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton)
-        emit resetWanted();
+        Q_EMIT resetWanted();
 }
 
 void Slider::keyPressEvent(QKeyEvent* event)
@@ -122,7 +122,7 @@ void Slider::keyPressEvent(QKeyEvent* event)
     const bool up = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up;
     const bool down = event->key() == Qt::Key_Left || event->key() == Qt::Key_Down;
     if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace)
-        return emit resetWanted();
+        return Q_EMIT resetWanted();
     if (!up && !down)
         return QWidget::keyPressEvent(event);
     const auto grain = grainOf(event->modifiers());
@@ -139,7 +139,7 @@ void Slider::moveTo(double value)
         return;
     m_value = value;
     update();
-    emit moved(value);
+    Q_EMIT moved(value);
 }
 
 } // namespace relievo

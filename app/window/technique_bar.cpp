@@ -25,8 +25,8 @@ TechniqueBar::TechniqueBar(QWidget* parent)
     m_buttons = new Segmented(items, this);
     m_buttons->setObjectName("techniques");
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    connect(m_buttons, &Segmented::chosen, this, [this](int index) { emit chosen(*m_rows[index]); });
-    connect(m_list, &QComboBox::activated, this, [this](int index) { emit chosen(*m_rows[index]); });
+    connect(m_buttons, &Segmented::chosen, this, [this](int index) { Q_EMIT chosen(*m_rows[index]); });
+    connect(m_list, &QComboBox::activated, this, [this](int index) { Q_EMIT chosen(*m_rows[index]); });
 }
 
 void TechniqueBar::show(const std::string& technique)

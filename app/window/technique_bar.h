@@ -22,7 +22,7 @@ public:
     Segmented* buttons() const { return m_buttons; }
     const QVector<const TechniqueRow*>& rows() const { return m_rows; } // those that the GPU can draw
 
-signals:
+Q_SIGNALS:
     void chosen(const relievo::TechniqueRow& row);
 
 protected:

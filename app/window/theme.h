@@ -33,7 +33,7 @@ void setRole(QWidget& widget, const char* role);
 
 // Colours by purpose; palettes carry them in these roles, so that widgets follow a change of look by themselves.
 inline QColor dimText(const QPalette& palette) { return palette.color(QPalette::PlaceholderText); }
-inline QColor line(const QPalette& palette) { return palette.color(QPalette::Mid); } // borders
+inline QColor lineColor(const QPalette& palette) { return palette.color(QPalette::Mid); } // borders
 inline QColor field(const QPalette& palette) { return palette.color(QPalette::Base); } // what can be typed or dropped into
 inline QColor raised(const QPalette& palette) { return palette.color(QPalette::Button); } // what can be pressed
 inline QColor hovered(const QPalette& palette) { return palette.color(QPalette::Midlight); }

@@ -4,6 +4,8 @@
 #include "app/window/thumbnails.h"
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <glm/vec3.hpp>
 
 namespace relievo
 {

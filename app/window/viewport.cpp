@@ -1,8 +1,7 @@
 // Drawing the panes: when, how finely, and what stands over them.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h>
-
+#include "app/window/gl_calls.h"
 #include "app/window/overlays.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
@@ -67,9 +66,9 @@ Viewport::~Viewport()
 
 void Viewport::initializeGL()
 {
-    m_usable = epoxy_gl_version() >= 41;
+    m_usable = openGLVersion() >= 41;
     if (!m_usable)
-        m_messages.set("picture", Error{"OpenGL 4.1 is needed", QString("OpenGL %1").arg(epoxy_gl_version() / 10.).toStdString(), "Update the graphics driver"});
+        m_messages.set("picture", Error{"OpenGL 4.1 is needed", QString("OpenGL %1").arg(openGLVersion() / 10.).toStdString(), "Update the graphics driver"});
     else
         m_renderer = std::make_unique<Renderer>();
 }
@@ -124,15 +123,12 @@ void Viewport::refresh(bool moving)
 
 void Viewport::paintGL()
 {
-    if (!m_renderer || !m_assets.ready()) {
-        glClearColor(0.2f, 0.2f, 0.2f, 1.f);
-        glClear(GL_COLOR_BUFFER_BIT);
-        return;
-    }
+    if (!m_renderer || !m_assets.ready())
+        return clearTo(defaultFramebufferObject(), 0.2f, 0.2f, 0.2f);
     if (m_stale)
         drawPanes(m_moving ? m_pacer.scale() : m_fine ? 2. : 1.);
     showPanes();
-    emit painted(m_shownScale >= 1.);
+    Q_EMIT painted(m_shownScale >= 1.);
 }
 
 void Viewport::drawPanes(double scale)
@@ -149,7 +145,7 @@ void Viewport::drawPanes(double scale)
         if (!drawn)
             troubles.append({true, QString::fromStdString(message(drawn.error()))});
     }
-    glFinish();
+    finishDrawing();
     m_lastDraw = double(clock.nsecsElapsed()) * 1e-6;
     if (scale <= 1.)
         m_pacer.took(m_lastDraw, scale);
@@ -164,19 +160,11 @@ void Viewport::drawPanes(double scale)
 void Viewport::showPanes()
 {
     const unsigned screen = defaultFramebufferObject();
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, screen);
-    if (paneCount() > 1) {
-        const QColor gap = line(palette());
-        glClearColor(gap.redF(), gap.greenF(), gap.blueF(), 1.f);
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
-    for (int pane = 0; pane < paneCount(); ++pane) {
-        const PaneArea to = area(pane);
-        const Framebuffer& from = m_pictures[std::size_t(pane)];
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
-        glBlitFramebuffer(0, 0, from.width(), from.height(), to.x, 0, to.x + to.width, to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, screen);
+    const QColor gap = lineColor(palette());
+    if (paneCount() > 1)
+        clearTo(screen, gap.redF(), gap.greenF(), gap.blueF());
+    for (int pane = 0; pane < paneCount(); ++pane)
+        copyTo(m_pictures[std::size_t(pane)], screen, area(pane).x, area(pane).width, area(pane).height);
 }
 
 // Counts the fetches of what is shown, then refines the edges if that does not hold up the hand.
@@ -215,14 +203,11 @@ QImage Viewport::picture()
         plain.resize(size.width, size.height);
         const Target target{fine.handle(), fine.width(), fine.height(), false, float(2. * devicePixelRatioF())};
         (void)m_renderer->draw(m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view, target);
-        fine.blitTo(plain.handle(), size.width, size.height);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, plain.handle());
+        copyTo(fine, plain.handle(), 0, size.width, size.height);
         QImage part(size.width, size.height, QImage::Format_RGBA8888);
-        glPixelStorei(GL_PACK_ALIGNMENT, 4);
-        glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, part.bits());
+        readPixels(plain, {part.bits(), std::size_t(part.sizeInBytes())});
         painter.drawImage(size.x, 0, part.mirrored());
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
     doneCurrent();
     return sheet;
 }
@@ -234,7 +219,7 @@ void Viewport::setActivePane(int pane)
         return;
     m_activePane = pane;
     updateOverlays();
-    emit activePaneChanged(pane);
+    Q_EMIT activePaneChanged(pane);
 }
 
 void Viewport::placeOverlays()

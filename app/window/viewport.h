@@ -35,7 +35,7 @@ public:
     bool isFull() const { return !m_stale && m_shownScale >= 1.; } // the picture shown has the full resolution
     double shownScale() const { return m_shownScale; }
 
-signals:
+Q_SIGNALS:
     void activePaneChanged(int pane);
     void painted(bool full);
 

@@ -1,8 +1,6 @@
 // The hand in the picture: mouse, wheel and keys become camera moves and light turns.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h>
-
 #include "app/window/overlays.h"
 #include "app/window/viewport.h"
 #include <QApplication>
