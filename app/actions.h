@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 struct ActionRow {
     std::string_view key; // names the handler
@@ -34,11 +33,13 @@ inline constexpr auto kActions = std::to_array<ActionRow>({
     {"undo", "Edit", "Undo", "Ctrl+Z", "undo", false, false, "Takes the last change back. Camera moves are not changes."},
     {"redo", "Edit", "Redo", "Ctrl+Shift+Z", "redo", false, false, "Does again what was undone."},
     {"copy-picture", "Edit", "Copy picture", "Ctrl+C", "picture", false, true, "Puts the picture as it is shown on the clipboard."},
-    {"copy-camera", "Edit", "Copy camera", "Ctrl+Shift+C", "camera", false, false, "Puts the camera on the clipboard as text for --camera."},
+    {"copy-camera", "Edit", "Copy camera", "Ctrl+Shift+C", "camera", false, false,
+        "Puts the camera on the clipboard as text for --camera."},
     {"paste-camera", "Edit", "Paste camera", "Ctrl+Shift+V", "paste", false, false, "Takes the camera from text on the clipboard."},
 
     {"wireframe", "View", "Wireframe", "Z", "wireframe", true, true, "Draws the edges of the triangles over the picture."},
-    {"two-panes", "View", "Compare two techniques", "C", "two-panes", true, false, "Two linked pictures side by side, each with its own technique."},
+    {"two-panes", "View", "Compare two techniques", "C", "two-panes", true, false,
+        "Two linked pictures side by side, each with its own technique."},
     {"frame", "View", "Frame all", "F", "frame", false, true, "Brings the whole mesh into view from the same side."},
     {"reset-camera", "View", "Reset camera", "Home", "home", false, false, "Brings the camera back to where it began."},
     {"light-theme", "View", "Light theme", "", "theme", true, true, "Bright surroundings instead of dark ones."},

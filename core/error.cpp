@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 
-namespace relievo
-{
+namespace relievo {
 
 std::string message(const Error& error)
 {

@@ -6,8 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // Printed as "relievo: error: WHERE: WHAT. HINT". No full stops inside the parts.
 struct Error {

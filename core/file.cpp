@@ -9,12 +9,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 template <class Container> Expected<Container> readWhole(const fs::path& file, std::size_t limit)
 {
     std::error_code code;

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // Errors say whether the file is missing, a folder, unreadable or over `limit` bytes.
 Expected<std::string> readText(const std::filesystem::path& file, std::size_t limit = std::size_t(1) << 30);

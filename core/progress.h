@@ -5,8 +5,7 @@
 #include <functional>
 #include <stop_token>
 
-namespace relievo
-{
+namespace relievo {
 
 struct Progress {
     std::function<void(float)> report; // share done in [0, 1]; called from any thread; may be empty

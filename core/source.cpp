@@ -7,12 +7,10 @@
 #include <algorithm>
 #include <cctype>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 std::string lowerSuffix(const fs::path& file)
 {
     std::string suffix = file.extension().string();

@@ -12,8 +12,7 @@
 #include <memory>
 #include <string>
 
-namespace relievo
-{
+namespace relievo {
 
 // The large data behind a State. Cheap to copy; members are never null after loadResources.
 struct Resources {

@@ -4,8 +4,7 @@
 #include "render/gl_objects.h"
 #include "render/renderer.h"
 
-namespace relievo
-{
+namespace relievo {
 
 Framebuffer::~Framebuffer()
 {

@@ -5,11 +5,9 @@
 #include <epoxy/gl.h>
 #include <utility>
 
-namespace relievo
-{
+namespace relievo {
 
-template <auto Delete> class GlName
-{
+template <auto Delete> class GlName {
 public:
     GlName() = default;
     explicit GlName(GLuint name) : m_name(name) { }

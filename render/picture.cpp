@@ -7,11 +7,9 @@
 #include <cstring>
 #include <epoxy/gl.h>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 
 // Radical inverse of i: the k-th shift of the pixel grid is (base 2, base 3), in [0, 1).
 float radicalInverse(int i, int base)

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <string>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 
 template <class GetInt, class GetLog> std::string logOf(GLuint name, GetInt getInt, GetLog getLog)
 {

@@ -7,11 +7,9 @@
 #include "core/shader_text/scene_uniforms.h"
 #include "render/gl_objects.h"
 
-namespace relievo
-{
+namespace relievo {
 
-class LinkedProgram
-{
+class LinkedProgram {
 public:
     // Errors carry the driver's message with file:line.
     static Expected<LinkedProgram> link(const ProgramText& text);

@@ -16,12 +16,10 @@
 #include <optional>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 
 constexpr float kPlainBackground[] = {0.0331f, 0.0331f, 0.0331f}; // linear; sRGB 51 of 255
 
@@ -127,8 +125,7 @@ int Renderer::textureCount() const
     return m->uploads.textureCount();
 }
 
-namespace
-{
+namespace {
 
 void clearTarget(const Parameters& parameters, const Target& target, bool heat)
 {

@@ -8,8 +8,7 @@
 #include <memory>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 // Where to draw: a framebuffer object of the current context (0 is the default one), the rectangle (0, 0, width, height) of it.
 struct Target {
@@ -27,8 +26,7 @@ struct Measurement {
 };
 
 // Holds the uploads and programs of one context; all calls need that context (or one that shares with it) to be current.
-class Renderer
-{
+class Renderer {
 public:
     Renderer();
     ~Renderer();
@@ -55,8 +53,7 @@ private:
 };
 
 // An off-screen colour and depth target that can be copied, scaled, to another framebuffer.
-class Framebuffer
-{
+class Framebuffer {
 public:
     Framebuffer() = default;
     ~Framebuffer();

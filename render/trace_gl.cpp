@@ -10,11 +10,9 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 
 constexpr int kRow = 1024; // rays a texture row
 constexpr int kRows = 1024;

@@ -9,11 +9,11 @@
 #include <string>
 #include <tbb/parallel_for.h>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
+
+constexpr GLenum kUploadUnit = 15; // no program reads it: an upload must not take the place of a map that is bound already
 
 void filterWithMips(bool mips)
 {
@@ -175,6 +175,7 @@ void Uploads::hold(const Resources& resources)
 
 const Uploads::Map& Uploads::map(MapKind kind)
 {
+    glActiveTexture(GL_TEXTURE0 + kUploadUnit);
     const std::size_t i = std::size_t(kind);
     const Material& material = *m_resources.material;
     Map& map = m_maps[i];
@@ -205,6 +206,7 @@ void Uploads::bindMaps(const LinkedProgram& program, Wrap wrap)
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
     }
     if (program.reads("environmentMap")) {
+        glActiveTexture(GL_TEXTURE0 + kUploadUnit);
         if (!m_environment)
             m_environment = uploadEnvironment(*m_resources.environment);
         program.bind("environmentMap", GL_TEXTURE_CUBE_MAP, *m_environment, unit);

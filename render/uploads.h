@@ -8,15 +8,13 @@
 #include <array>
 #include <memory>
 
-namespace relievo
-{
+namespace relievo {
 
 // A height field as a texture with linear filtering and mip levels: R16 when its source had at most 16 bits (exact, and not
 // filtered in 8-bit fixed point as R8 is on some rasterisers), R32F else.
 Texture uploadHeight(const HeightField& field, bool mips = true);
 
-class Uploads
-{
+class Uploads {
 public:
     // Forgets what belongs to other resources than these.
     void hold(const Resources& resources);

@@ -10,12 +10,10 @@
 #include <span>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // An OpenGL 4.1 core context that needs no display, current on the calling thread while it lives.
-class WindowlessContext
-{
+class WindowlessContext {
 public:
     // Errors say what was found and what is needed.
     static Expected<WindowlessContext> create();

@@ -6,8 +6,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-namespace relievo
-{
+namespace relievo {
 
 struct WindowlessContext::Impl {
     EGLDisplay display = EGL_NO_DISPLAY;
@@ -28,8 +27,7 @@ WindowlessContext::WindowlessContext(WindowlessContext&&) noexcept = default;
 WindowlessContext& WindowlessContext::operator=(WindowlessContext&&) noexcept = default;
 WindowlessContext::~WindowlessContext() = default;
 
-namespace
-{
+namespace {
 constexpr const char* kNeeded = "Install an OpenGL 4.1 driver with EGL (Debian: libgl1-mesa-dri and libegl1)";
 
 EGLDisplay displayWithoutSurface()

@@ -8,11 +8,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 
-namespace
-{
+namespace {
 
 struct BakeOptions {
     Common common;

@@ -12,8 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 namespace fs = std::filesystem;
 
 void Common::addTo(CLI::App& command)
@@ -46,8 +45,7 @@ bool StateOptions::changesState() const
     return mapGiven || !set.empty() || !(preset + technique + mesh + environment + camera + depthMap).empty();
 }
 
-namespace
-{
+namespace {
 
 std::string absolutePath(const std::string& file)
 {

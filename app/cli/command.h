@@ -13,8 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 
 // Exit codes of cli.md.
 enum Exit { Done = 0, Failed = 1, WrongUsage = 2, MissedTarget = 3 };

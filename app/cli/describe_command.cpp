@@ -12,12 +12,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 using Json = nlohmann::ordered_json;
 
-namespace
-{
+namespace {
 
 // A table as rows of named cells; values keep their kind for JSON.
 using Table = std::vector<Json>;

@@ -7,11 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 
-namespace
-{
+namespace {
 
 struct ExportOptions {
     Common common;

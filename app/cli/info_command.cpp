@@ -7,12 +7,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 using Json = nlohmann::ordered_json;
 
-namespace
-{
+namespace {
 
 struct InfoOptions {
     Common common;

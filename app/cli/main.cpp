@@ -10,11 +10,9 @@
 #include <memory>
 #include <tbb/global_control.h>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 
-namespace
-{
+namespace {
 
 using AddCommand = void (*)(CLI::App&, int&);
 struct CommandRow {

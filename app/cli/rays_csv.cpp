@@ -9,11 +9,9 @@
 #include <optional>
 #include <string_view>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 
-namespace
-{
+namespace {
 
 std::string_view trimmed(std::string_view text)
 {

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 
 // Header u,v,du,dv[,cosView]. Without cosView: depth / sqrt(depth^2 + |duv|^2), 1 where that is 0 / 0.
 // Errors name file and line. "nan" and "inf" are numbers here: such a ray is answered, not refused.

@@ -10,12 +10,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 
 struct RenderOptions {
     Common common;

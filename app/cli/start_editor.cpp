@@ -10,12 +10,10 @@
 #include <filesystem>
 #include <unistd.h>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 
 // Runs relievo-editor beside this program; returns only on failure.
 int execute(std::vector<std::string> arguments)

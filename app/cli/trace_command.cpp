@@ -13,11 +13,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace relievo::cli
-{
+namespace relievo::cli {
 
-namespace
-{
+namespace {
 
 struct TraceOptions {
     Common common;

@@ -10,8 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 struct ExportJob {
     const State& state;

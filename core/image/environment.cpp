@@ -10,11 +10,9 @@
 #include <numbers>
 #include <tbb/parallel_for.h>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 using Pixels = std::vector<glm::vec3>;
 

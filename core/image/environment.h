@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // Level k holds (kEnvironmentWidth >> k) x (half of that) linear RGB radiances, row 0 straight up (+y), u = 0.5 towards -z,
 // u growing towards +x. Level 0 is sharp; levels 1 .. kEnvironmentLevels - 2 are what a surface of roughness

@@ -6,8 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace relievo
-{
+namespace relievo {
 
 HeightField::HeightField(int width, int height, std::vector<float> heights, Wrap wrap, int storedBits)
     : m_width(width)
@@ -36,8 +35,7 @@ HeightField::Corners HeightField::corners(int i, int j) const
     return {h[row0 + std::size_t(x0)], h[row0 + std::size_t(x1)], h[row1 + std::size_t(x0)], h[row1 + std::size_t(x1)]};
 }
 
-namespace
-{
+namespace {
 // Floor of a texel coordinate as an index that int can hold. Beyond 2^24 texels a float has no fraction left anyway;
 // the remainder keeps a repeating tile's phase there. NaN gives 0.
 int cellIndex(float coordinate, int size, Wrap wrap)

@@ -8,8 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 enum class Wrap { Repeat, Clamp };
 
@@ -23,8 +22,7 @@ inline int wrapIndex(int i, int size, Wrap wrap)
 }
 
 // Immutable and cheap to copy; safe to read from any thread.
-class HeightField
-{
+class HeightField {
 public:
     // heights: row-major, width * height values in [0, 1], 1 = top; row 0 lies at v = 0 (image top).
     // Requires width, height >= 1 and finite values in [0, 1] (asserted: repairing them is the loader's work).

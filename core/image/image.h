@@ -8,8 +8,7 @@
 #include <cstring>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 enum class PixelType : std::uint8_t { U8, U16, F32 };
 constexpr std::size_t bytesOf(PixelType type)

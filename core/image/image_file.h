@@ -9,8 +9,7 @@
 #include <span>
 #include <string>
 
-namespace relievo
-{
+namespace relievo {
 
 // What a file's header says; no pixels are decoded.
 struct ImageInfo {

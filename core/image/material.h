@@ -11,8 +11,7 @@
 #include <memory>
 #include <optional>
 
-namespace relievo
-{
+namespace relievo {
 
 // Immutable. A map that the slots do not name is absent: nothing is made up here.
 struct Material {

@@ -13,8 +13,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-namespace relievo::pattern
-{
+namespace relievo::pattern {
 
 // A random number in [0, 1) that depends on the three values only.
 inline std::uint32_t hashOf(int x, int y, std::uint32_t seed)

@@ -5,11 +5,9 @@
 #include "core/image/sample_noise.h"
 #include <numbers>
 
-namespace relievo::pattern
-{
+namespace relievo::pattern {
 
-namespace
-{
+namespace {
 template <std::size_t N> glm::vec3 pick(const std::array<glm::vec3, N>& palette, float share)
 {
     const float at = share * float(N - 1);
@@ -110,8 +108,7 @@ Point cobblestones(glm::vec2 uv)
     return {height, color, saturate(rough)};
 }
 
-namespace
-{
+namespace {
 struct Knot {
     glm::vec2 centre; // m along and across the board, tile = 1
     float size;
@@ -199,8 +196,7 @@ Point planks(glm::vec2 uv)
     return {height, color, saturate(rough)};
 }
 
-namespace
-{
+namespace {
 // One scale at a point of its own frame: x in [-1/2, 1/2] across, y down from its row's line in rows.
 struct ScalePoint {
     float edge; // distance to its rim in rows, positive inside
@@ -255,8 +251,7 @@ Point scales(glm::vec2 uv)
         height, glm::clamp(color, glm::vec3(0.f), glm::vec3(1.f)), saturate(0.36f + 0.10f * lumps + 0.06f * rings + 0.12f * (1.f - rim))};
 }
 
-namespace
-{
+namespace {
 // Bowls left by hammer blows: the smooth minimum of paraboloids about jittered centres; 0 deep in a bowl, about 0.5 on its rim.
 float blows(glm::vec2 uv, const CellGrid& grid)
 {
@@ -295,8 +290,7 @@ Point hammered(glm::vec2 uv)
     return {height, glm::clamp(color, glm::vec3(0.f), glm::vec3(1.f)), std::clamp(rough, 0.12f, 0.9f), 1.f - 0.8f * green};
 }
 
-namespace
-{
+namespace {
 // One octave as a ridge: sharp-crested but rounded at the texel scale.
 float ridgeOf(float n)
 {

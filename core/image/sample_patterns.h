@@ -5,8 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace relievo::pattern
-{
+namespace relievo::pattern {
 
 struct Point {
     float height; // any range: the sample is stretched to [0, 1]

@@ -8,11 +8,9 @@
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 using pattern::Point;
 using Grid = std::vector<float>; // size x size
 

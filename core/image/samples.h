@@ -8,8 +8,7 @@
 #include <array>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 // size: texels along each side, >= 1. Tiles seamlessly. Heights are U16 values in [0, 1] (16 bits of precision).
 struct Sample {

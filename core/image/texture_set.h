@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // Decoded images by file, so that a set is read once however many maps are packed in a file and whoever asks.
 using DecodedImages = std::map<std::filesystem::path, std::shared_ptr<const ImageRead>>;
@@ -44,6 +43,10 @@ struct TextureSet {
 // (a depth map when its stem ends in "depth"). Reads pixels to measure conventions (cli.md, `info --json`).
 // Errors: nothing there, no readable image, unsupported container (KTX, KTX2, raw float) named as such.
 Expected<TextureSet> openTextureSet(const std::filesystem::path& source, const Progress& progress = {});
+
+// The set that slots describe, for `info` of a project or sample: conventions as the slots say. Files that cannot be read become
+// warnings.
+TextureSet textureSetOf(const std::string& name, const MapSlots& slots, const std::filesystem::path& folder);
 
 // `info --json` of cli.md for a set.
 std::string textureSetJson(const TextureSet& set);

@@ -8,8 +8,7 @@
 #include <cstring>
 #include <new>
 
-namespace relievo
-{
+namespace relievo {
 
 Image bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress)
 {

@@ -10,8 +10,7 @@
 #include <array>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 struct MapRow {
     std::string_view key;

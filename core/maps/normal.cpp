@@ -9,8 +9,7 @@
 #include <glm/vec3.hpp>
 #include <tbb/parallel_for.h>
 
-namespace relievo
-{
+namespace relievo {
 
 Image normalFromHeight(const HeightField& field, float depthInTiles, const Progress& progress)
 {

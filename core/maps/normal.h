@@ -6,8 +6,7 @@
 #include "core/image/image.h"
 #include "core/progress.h"
 
-namespace relievo
-{
+namespace relievo {
 
 // Tangent-space normal map of the same size: 3 channels U16, n / 2 + 1/2, OpenGL style (green up the image).
 // depthInTiles: black-to-white distance as a share of the tile's width (the parameter `depth`). Slopes are central differences of the

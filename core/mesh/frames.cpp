@@ -6,8 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
 float signedUVArea(glm::vec2 a, glm::vec2 b, glm::vec2 c)
 {
@@ -21,8 +20,7 @@ glm::vec3 perpendicular(glm::vec3 n)
     return glm::normalize(axis - n * glm::dot(n, axis));
 }
 
-namespace
-{
+namespace {
 // What one triangle says about the size and direction of the texture on it.
 struct TriangleFrame {
     glm::vec3 dPdu{0.f}, dPdv{0.f};

@@ -6,8 +6,7 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-namespace relievo
-{
+namespace relievo {
 
 // Twice the area of a triangle in UV space, signed: negative where the image is seen unmirrored, as v runs down.
 float signedUVArea(glm::vec2 a, glm::vec2 b, glm::vec2 c);

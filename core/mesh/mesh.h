@@ -14,8 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // World space in metres, y up, right-handed; counter-clockwise triangles face outwards. UVs are glTF's: v runs down the image.
 struct Vertex {

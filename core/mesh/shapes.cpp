@@ -6,11 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 
 struct Point {

@@ -5,8 +5,7 @@
 #include "core/mesh/mesh.h"
 #include <optional>
 
-namespace relievo
-{
+namespace relievo {
 
 // key: a row of kShapes; nothing for any other name. Texels are about square; seams repeat whole tiles.
 std::optional<Mesh> makeShape(std::string_view key);

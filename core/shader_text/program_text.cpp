@@ -11,11 +11,9 @@
 #include <cctype>
 #include <regex>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 bool isWordCharacter(char c)
 {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
@@ -82,8 +80,7 @@ ShaderReader folderReader(const std::filesystem::path& folder)
     };
 }
 
-namespace
-{
+namespace {
 
 constexpr std::string_view typeName(const Member& member)
 {
@@ -97,8 +94,7 @@ constexpr std::string_view typeName(const SceneMember& member)
 }
 
 // Collects the parts of one stage; each file is included once.
-class Assembly
-{
+class Assembly {
 public:
     explicit Assembly(const ShaderReader& read) : m_read(read) { }
 

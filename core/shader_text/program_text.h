@@ -12,8 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // What a program is made of. Equal features give equal text: usable as a cache key.
 struct ProgramFeatures {

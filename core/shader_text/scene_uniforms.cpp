@@ -6,8 +6,7 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
 SceneUniforms sceneUniforms(const Parameters& p, const CameraView& camera, float metresOfMesh)
 {

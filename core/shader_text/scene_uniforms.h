@@ -9,8 +9,7 @@
 #include <string_view>
 #include <variant>
 
-namespace relievo
-{
+namespace relievo {
 
 struct SceneUniforms {
     glm::mat4 clipFromWorld{1.f};

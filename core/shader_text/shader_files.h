@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 struct ShaderFile {
     std::string_view name; // relative to shaders/, "techniques/relief.glsl"

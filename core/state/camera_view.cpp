@@ -9,8 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
 glm::vec3 directionTo(float yaw, float pitch)
 {
@@ -27,7 +26,7 @@ CameraView cameraView(const Camera& camera, glm::vec3 boundsMin, glm::vec3 bound
     const float halfAngle = std::min(0.5f * fov, std::atan(std::tan(0.5f * fov) * aspect)); // the narrower side frames
 
     view.target = camera.target.value_or(centre);
-    view.distance = camera.distance.value_or(0.92f * radius / std::sin(halfAngle));
+    view.distance = camera.distance.value_or(0.78f * radius / std::sin(halfAngle));
     // The picture's axes from the angles, not from cross products: looking straight down stays well defined.
     const glm::vec3 towardsEye = directionTo(camera.yaw, camera.pitch);
     view.right = {std::cos(yaw), 0.f, -std::sin(yaw)};

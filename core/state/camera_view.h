@@ -5,8 +5,7 @@
 #include "core/state/state.h"
 #include <glm/mat4x4.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
 struct CameraView {
     glm::vec3 eye, target; // m

@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 enum class MapKind { Height, Color, Normal, Roughness, Gloss, Metallic, AmbientOcclusion, Specular, Emission, Opacity };
 

@@ -7,8 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace relievo
-{
+namespace relievo {
 
 const ParameterRow* findParameter(std::string_view key)
 {
@@ -51,8 +50,7 @@ void set(Parameters& parameters, const ParameterRow& row, const Value& value)
         row.member);
 }
 
-namespace
-{
+namespace {
 float clampedNumber(const ParameterRow& row, float v)
 {
     return v >= row.min ? std::min(v, row.max) : row.min;
@@ -75,8 +73,7 @@ bool inRange(const ParameterRow& row, const Value& value)
     return clamped(row, value) == value;
 }
 
-namespace
-{
+namespace {
 template <class T> std::optional<T> parseNumber(std::string_view text)
 {
     T value{};
@@ -146,8 +143,7 @@ std::optional<Value> parseValue(const ParameterRow& row, std::string_view text)
     }
 }
 
-namespace
-{
+namespace {
 std::string numberText(float value)
 {
     char buffer[32];

@@ -10,8 +10,7 @@
 #include <string_view>
 #include <variant>
 
-namespace relievo
-{
+namespace relievo {
 
 struct Parameters { // the initialisers ARE the defaults
     // Shape
@@ -46,7 +45,7 @@ struct Parameters { // the initialisers ARE the defaults
     // Light
     float lightYaw = -50.f;
     float lightPitch = 40.f;
-    float lightIntensity = 2.5f;
+    float lightIntensity = 2.2f;
     glm::vec3 lightColor{1.f, 0.96f, 0.9f};
     float environmentIntensity = 0.6f;
     float environmentYaw = 0.f;
@@ -172,8 +171,7 @@ Value clamped(const ParameterRow& row, const Value& value); // NaN becomes the m
 std::optional<Value> parseValue(const ParameterRow& row, std::string_view text);
 std::string toText(const ParameterRow& row, const Value& value); // reads back exactly by parseValue
 
-namespace detail
-{
+namespace detail {
 struct Any {
     template <class T> constexpr operator T() const;
 };

@@ -4,8 +4,7 @@
 #include "core/state/presets.h"
 #include <algorithm>
 
-namespace relievo
-{
+namespace relievo {
 
 Expected<StateRead> readPreset(const State& base, const std::string& nameOrFile)
 {

@@ -6,8 +6,7 @@
 #include <array>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 struct PresetRow {
     std::string_view key;

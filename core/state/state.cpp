@@ -6,8 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace relievo
-{
+namespace relievo {
 
 Parameters effectiveParameters(const State& state, std::size_t pane)
 {
@@ -30,8 +29,7 @@ float physicalDepth(const Parameters& parameters, float measuredOfMesh)
     return parameters.depth * metresPerUV(parameters, measuredOfMesh) / parameters.tiling;
 }
 
-namespace
-{
+namespace {
 std::string rangeText(const ParameterRow& row)
 {
     if (!row.options.empty()) {
@@ -68,8 +66,7 @@ Expected<void> setParameter(State& state, std::string_view assignment)
     return {};
 }
 
-namespace
-{
+namespace {
 std::optional<float> finiteNumber(std::string_view text)
 {
     float value = 0.f;

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 struct Camera {
     float yaw = 30.f; // degrees about y; 0 looks from +z

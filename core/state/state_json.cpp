@@ -9,13 +9,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace relievo
-{
+namespace relievo {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-namespace
-{
+namespace {
 Json valueJson(const ParameterRow& row, const Value& value)
 {
     if (const float* f = std::get_if<float>(&value))
@@ -101,12 +99,10 @@ std::string toPresetJson(const State& state)
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-namespace
-{
+namespace {
 
 // Walks a JSON text into a State; everything it cannot use becomes a warning with its place.
-class Reader
-{
+class Reader {
 public:
     Reader(const fs::path& folder, const std::string& where) : m_folder(folder), m_where(where) { }
     Warnings warnings;

@@ -7,8 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace relievo
-{
+namespace relievo {
 
 inline constexpr int kStateVersion = 1;
 

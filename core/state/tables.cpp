@@ -5,8 +5,7 @@
 #include "core/state/views.h"
 #include <algorithm>
 
-namespace relievo
-{
+namespace relievo {
 
 const TechniqueRow* findTechnique(std::string_view key)
 {

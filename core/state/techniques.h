@@ -5,8 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 struct TechniqueRow {
     std::string_view key;

@@ -4,8 +4,7 @@
 #pragma once
 #include <glm/vec2.hpp>
 
-namespace relievo
-{
+namespace relievo {
 
 // uv(t) = uv + t * duv, t from 0 (polygon) to 1 (deepest). Doubles: the reference takes rays as they were given.
 struct SearchRay {

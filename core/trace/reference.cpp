@@ -6,11 +6,9 @@
 #include <cmath>
 #include <limits>
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 

@@ -5,15 +5,14 @@
 #include "core/image/height_field.h"
 #include "core/trace/ray.h"
 
-namespace relievo
-{
+namespace relievo {
 
 // Smallest t in [0, 1] with 1 - h(uv(t)) <= t. There always is one: at t = 1 every point lies at or below the surface.
 // Walks the cells between texel centres in order (Amanatides and Woo 1987); in each the surface along the ray is a quadratic,
 // solved in closed form. A ray that is not finite: {false, 1, (0, 0), 0}.
 // At most kMaxReferenceCells cells are visited; a ray that crosses more (a lateral travel of millions of texels) ends there as
 // a miss: {false, 1, uv + duv, cells}.
-inline constexpr int kMaxReferenceCells = 1 << 24;
+inline constexpr int kMaxReferenceCells = 1 << 22;
 SearchHit exactHit(const HeightField& field, const SearchRay& ray);
 
 } // namespace relievo

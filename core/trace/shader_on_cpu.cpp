@@ -14,8 +14,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-namespace relievo::glsl
-{
+namespace relievo::glsl {
 using namespace glm;
 
 struct Ray {
@@ -57,11 +56,9 @@ struct Heat {
 };
 } // namespace relievo::glsl
 
-namespace relievo
-{
+namespace relievo {
 
-namespace
-{
+namespace {
 
 using Search = glsl::Hit (*)(const Parameters&, const HeightField*, glsl::Ray);
 struct SearchRow {

@@ -12,8 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // Runs technique `key` (a row of kTechniques; "reference" is exactHit) on each ray, on all threads of TBB. The field's wrap mode
 // counts, its base level is read. `field` may be null for techniques whose row names no maps.
