@@ -262,6 +262,26 @@ void Section::setOpen(bool open)
     m_content->setVisible(open);
 }
 
+ElidedLabel::ElidedLabel(QWidget* parent)
+    : QLabel(parent)
+{
+    setTextFormat(Qt::PlainText);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+void ElidedLabel::setFullText(const QString& text)
+{
+    m_full = text;
+    setText(fontMetrics().elidedText(text, Qt::ElideRight, width()));
+    setToolTip(this->text() == text ? QString() : text);
+}
+
+void ElidedLabel::resizeEvent(QResizeEvent* event)
+{
+    QLabel::resizeEvent(event);
+    setFullText(m_full);
+}
+
 namespace
 {
 QFrame* ruled(QWidget* parent, const char* role)

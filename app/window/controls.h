@@ -6,6 +6,7 @@
 #include <QAbstractButton>
 #include <QColor>
 #include <QFrame>
+#include <QLabel>
 #include <QStringList>
 #include <QVector>
 #include <QWidget>
@@ -134,6 +135,22 @@ private:
     QWidget* m_content;
     QVBoxLayout* m_body;
     bool m_open = true;
+};
+
+// One line of text that is cut with an ellipsis where there is no room for it.
+class ElidedLabel : public QLabel
+{
+    Q_OBJECT
+public:
+    explicit ElidedLabel(QWidget* parent = nullptr);
+    void setFullText(const QString& text);
+    const QString& fullText() const { return m_full; }
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    QString m_full;
 };
 
 QFrame* hairline(QWidget* parent = nullptr); // horizontal

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/gl_calls.h"
-#include <cassert>
 #include <epoxy/gl.h>
 
 namespace relievo
@@ -31,14 +30,6 @@ void copyTo(const Framebuffer& from, unsigned framebuffer, int x, int width, int
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glBlitFramebuffer(0, 0, from.width(), from.height(), x, 0, x + width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-}
-
-void readPixels(const Framebuffer& from, std::span<unsigned char> rgba)
-{
-    assert(rgba.size() >= std::size_t(from.width()) * std::size_t(from.height()) * 4);
-    glBindFramebuffer(GL_FRAMEBUFFER, from.handle());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, from.width(), from.height(), GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
 } // namespace relievo

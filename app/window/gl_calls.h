@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "render/renderer.h"
-#include <span>
 
 namespace relievo
 {
@@ -14,6 +13,5 @@ void clearTo(unsigned framebuffer, float red, float green, float blue);
 void finishDrawing(); // waits until everything is drawn
 // Scales `from` to the rectangle (x, 0, width, height) of `framebuffer`.
 void copyTo(const Framebuffer& from, unsigned framebuffer, int x, int width, int height);
-void readPixels(const Framebuffer& from, std::span<unsigned char> rgba); // rows from the bottom; width * height * 4 bytes
 
 } // namespace relievo

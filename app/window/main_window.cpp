@@ -61,7 +61,7 @@ MainWindow::MainWindow()
     addKeys();
     connectAll();
     restoreLayout();
-    documentChanged(Change::Panes);
+    documentChanged(Changes(Change::Panes) | Change::View);
     updateTitle();
 }
 
@@ -221,7 +221,8 @@ void MainWindow::documentChanged(Changes what)
     const State& state = m_document.state();
     if (what & Change::Panes)
         m_techniques->show(state.panes[std::size_t(std::min<int>(m_viewport->activePane(), int(state.panes.size()) - 1))].technique);
-    m_view->setCurrentIndex(m_view->findData(QString::fromStdString(state.view)));
+    if (what & Change::View)
+        m_view->setCurrentIndex(m_view->findData(QString::fromStdString(state.view)));
     m_actions["two-panes"]->setChecked(state.panes.size() > 1);
     m_actions["wireframe"]->setChecked(state.parameters.wireframe);
 }

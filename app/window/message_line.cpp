@@ -34,7 +34,7 @@ QString counted(const QList<Message>& all)
 
 MessageLine::MessageLine(Messages& messages, Background& background, QWidget* parent)
     : QWidget(parent), m_messages(messages), m_list(new QWidget(this)), m_work(new QWidget(this)), m_lines(new QVBoxLayout(m_list)),
-      m_count(new QToolButton(this)), m_text(new QLabel(this)), m_progress(new QProgressBar(this))
+      m_count(new QToolButton(this)), m_text(new ElidedLabel(this)), m_progress(new QProgressBar(this))
 {
     m_lines->setContentsMargins(12, 8, 12, 8);
     m_lines->setSpacing(2 * kGrid);
@@ -43,8 +43,6 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
     m_count->setIconSize({16, 16});
     m_count->setToolTip(tr("Shows or hides all messages"));
     m_text->setObjectName("message-text");
-    m_text->setTextFormat(Qt::PlainText);
-    m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 1000);
     m_progress->setFixedWidth(160);
@@ -97,7 +95,7 @@ void MessageLine::setOpen(bool open)
 
 QString MessageLine::text() const
 {
-    return m_text->toolTip();
+    return m_text->fullText();
 }
 
 void MessageLine::changeEvent(QEvent* event)
@@ -118,8 +116,7 @@ void MessageLine::refresh()
     m_count->setIcon(icon(!all.isEmpty() && all.front().isError ? "error" : "warning"));
     const QString said = all.isEmpty() ? QString::fromUtf8(kMouseHelp) : m_open ? QString() : all.front().text;
     setRole(*m_text, all.isEmpty() ? "dim" : "");
-    m_text->setText(m_text->fontMetrics().elidedText(said, Qt::ElideRight, std::max(100, m_text->width())));
-    m_text->setToolTip(all.isEmpty() ? QString() : all.front().text);
+    m_text->setFullText(said);
 }
 
 void MessageLine::fillList(const QList<Message>& all)

@@ -6,13 +6,14 @@
 #include "app/window/messages.h"
 #include <QWidget>
 
-class QLabel;
 class QProgressBar;
 class QToolButton;
 class QVBoxLayout;
 
 namespace relievo
 {
+
+class ElidedLabel;
 
 class MessageLine : public QWidget
 {
@@ -24,7 +25,6 @@ public:
     QString text() const; // what the line says now
 
 protected:
-    void resizeEvent(QResizeEvent*) override { refresh(); }
     void changeEvent(QEvent* event) override; // another look: other icons
 
 private:
@@ -35,7 +35,7 @@ private:
     QWidget *m_list, *m_work;
     QVBoxLayout* m_lines;
     QToolButton* m_count;
-    QLabel* m_text;
+    ElidedLabel* m_text;
     QProgressBar* m_progress;
 };
 

@@ -7,6 +7,7 @@
 #include "core/state/techniques.h"
 #include <QPainter>
 #include <array>
+#include <tuple>
 
 namespace relievo
 {
@@ -58,6 +59,9 @@ PaneCaption::PaneCaption(QWidget* parent)
 
 void PaneCaption::show(const QString& letter, const QString& technique, const QString& cost, bool active)
 {
+    // Only what differs is painted again: a repaint beside the picture costs as much as a small picture.
+    if (std::tie(letter, technique, cost, active) == std::tie(m_letter, m_technique, m_cost, m_active))
+        return;
     m_letter = letter, m_technique = technique, m_cost = cost, m_active = active;
     resize(sizeHint());
     update();
@@ -103,6 +107,8 @@ HeatLegend::HeatLegend(QWidget* parent)
 
 void HeatLegend::show(const QString& title, const QString& unit, double max)
 {
+    if (std::tie(title, unit, max) == std::tie(m_title, m_unit, m_max))
+        return;
     m_title = title, m_unit = unit, m_max = max;
     update();
 }

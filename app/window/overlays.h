@@ -39,7 +39,7 @@ class HeatLegend : public QWidget
 public:
     explicit HeatLegend(QWidget* parent);
     void show(const QString& title, const QString& unit, double max);
-    QSize sizeHint() const override { return {268, 50}; }
+    QSize sizeHint() const override { return {268, 60}; }
 
 protected:
     void paintEvent(QPaintEvent*) override;

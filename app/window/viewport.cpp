@@ -7,6 +7,7 @@
 #include "app/window/theme.h"
 #include "app/window/viewport.h"
 #include "core/state/techniques.h"
+#include "render/windowless.h"
 #include <QMenu>
 #include <QPainter>
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace
 {
 constexpr int kRestDelay = 100; // ms without a move until the full picture
 constexpr int kMeasureDelay = 60; // ms from the full picture to the counting of fetches
-constexpr double kFineLimit = 250.; // ms that a picture of twice the resolution may block the window
+constexpr int kSmoothLimit = 400; // ms that one more picture may keep the hand waiting
 constexpr int kGap = 2; // pixels between two panes
 constexpr int kMargin = 12; // px from the picture's edge to what lies over it
 
@@ -38,8 +39,9 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
         m_captions[std::size_t(i)] = new PaneCaption(this);
         connect(m_captions[std::size_t(i)], &PaneCaption::clicked, this, [this, i] { chooseTechnique(i); });
     }
-    for (QTimer* timer : {&m_rest, &m_measuring})
+    for (QTimer* timer : {&m_rest, &m_measuring, &m_smoothing})
         timer->setSingleShot(true);
+    connect(&m_smoothing, &QTimer::timeout, this, &Viewport::smooth);
     connect(&m_rest, &QTimer::timeout, this, [this] { refresh(false); });
     connect(&m_measuring, &QTimer::timeout, this, &Viewport::measure);
     connect(&m_flying, &QTimer::timeout, this, &Viewport::fly);
@@ -59,18 +61,18 @@ Viewport::~Viewport()
 {
     makeCurrent();
     m_renderer.reset();
-    for (Framebuffer& picture : m_pictures)
-        std::destroy_at(&picture), std::construct_at(&picture);
+    m_pictures.reset();
     doneCurrent();
 }
 
 void Viewport::initializeGL()
 {
-    m_usable = openGLVersion() >= 41;
-    if (!m_usable)
-        m_messages.set("picture", Error{"OpenGL 4.1 is needed", QString("OpenGL %1").arg(openGLVersion() / 10.).toStdString(), "Update the graphics driver"});
-    else
-        m_renderer = std::make_unique<Renderer>();
+    const int version = openGLVersion();
+    if (version < 41)
+        return m_messages.set(
+            "picture", Error{"OpenGL 4.1 is needed", QString("OpenGL %1.%2").arg(version / 10).arg(version % 10).toStdString(), "Update the graphics driver"});
+    m_renderer = std::make_unique<Renderer>();
+    m_pictures = std::make_unique<Pictures>();
 }
 
 void Viewport::resizeGL(int, int)
@@ -105,15 +107,16 @@ void Viewport::documentChanged(Changes what)
     }
     if (what & ~Changes(Change::Name))
         refresh(m_drag.has_value() || m_document.inGesture());
-    updateOverlays();
+    if (what & ~Changes(Change::Camera))
+        updateOverlays();
 }
 
 void Viewport::refresh(bool moving)
 {
     m_stale = true;
-    m_fine = false;
     m_moving = moving;
     m_measuring.stop();
+    m_smoothing.stop();
     if (moving)
         m_rest.start(kRestDelay);
     else
@@ -125,10 +128,23 @@ void Viewport::paintGL()
 {
     if (!m_renderer || !m_assets.ready())
         return clearTo(defaultFramebufferObject(), 0.2f, 0.2f, 0.2f);
+    static const bool timing = qEnvironmentVariableIsSet("TIMING");
+    QElapsedTimer c; c.start();
     if (m_stale)
-        drawPanes(m_moving ? m_pacer.scale() : m_fine ? 2. : 1.);
+        drawPanes(m_moving ? m_pacer.scale() : 1.);
+    if (timing) printf("draw %.1f ", double(c.nsecsElapsed())*1e-6);
     showPanes();
+    if (timing) { finishDrawing(); printf("show %.1f\n", double(c.nsecsElapsed())*1e-6); }
     Q_EMIT painted(m_shownScale >= 1.);
+}
+
+Expected<void> Viewport::drawPane(int pane, double scale, glm::vec2 shift)
+{
+    const PaneArea size = area(pane);
+    Framebuffer& picture = m_pictures->drawn[std::size_t(pane)];
+    picture.resize(scaled(size.width, scale), scaled(size.height, scale));
+    const Target target{picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift};
+    return m_renderer->draw(m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view, target);
 }
 
 void Viewport::drawPanes(double scale)
@@ -137,37 +153,56 @@ void Viewport::drawPanes(double scale)
     clock.start();
     QList<Message> troubles;
     for (int pane = 0; pane < paneCount(); ++pane) {
-        const PaneArea size = area(pane);
-        Framebuffer& picture = m_pictures[std::size_t(pane)];
-        picture.resize(scaled(size.width, scale), scaled(size.height, scale));
-        const Target target{picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale))};
-        const auto drawn = m_renderer->draw(m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view, target);
-        if (!drawn)
+        m_pictures->smooth[std::size_t(pane)].restart();
+        if (const auto drawn = drawPane(pane, scale, {}); !drawn)
             troubles.append({true, QString::fromStdString(message(drawn.error()))});
     }
     finishDrawing();
-    m_lastDraw = double(clock.nsecsElapsed()) * 1e-6;
-    if (scale <= 1.)
-        m_pacer.took(m_lastDraw, scale);
+    m_pacer.took(double(clock.nsecsElapsed()) * 1e-6, scale);
     m_stale = false;
     m_shownScale = scale;
     // Later: what hears of it may change the layout, which must not happen while painting.
     QMetaObject::invokeMethod(this, [this, troubles] { m_messages.set("picture", troubles); }, Qt::QueuedConnection);
-    if (scale == 1.)
+    if (scale >= 1.)
         m_measuring.start(kMeasureDelay);
+}
+
+// One more shifted picture; the hand is heard between any two.
+void Viewport::smooth()
+{
+    if (m_stale || !m_pictures)
+        return;
+    QElapsedTimer clock;
+    clock.start();
+    makeCurrent();
+    for (int pane = 0; pane < paneCount(); ++pane) {
+        Smoother& mean = m_pictures->smooth[std::size_t(pane)];
+        if (drawPane(pane, 1., mean.nextShift()))
+            mean.add(m_pictures->drawn[std::size_t(pane)]);
+    }
+    doneCurrent();
+    if (smoothSamples() == 0)
+        return;
+    if (smoothSamples() < kSmoothSamples && clock.elapsed() < kSmoothLimit)
+        m_smoothing.start(0);
+    update();
 }
 
 void Viewport::showPanes()
 {
     const unsigned screen = defaultFramebufferObject();
-    const QColor gap = lineColor(palette());
     if (paneCount() > 1)
-        clearTo(screen, gap.redF(), gap.greenF(), gap.blueF());
-    for (int pane = 0; pane < paneCount(); ++pane)
-        copyTo(m_pictures[std::size_t(pane)], screen, area(pane).x, area(pane).width, area(pane).height);
+        clearTo(screen, 0.1f, 0.1f, 0.1f); // the gap between them
+    for (int pane = 0; pane < paneCount(); ++pane) {
+        const PaneArea to = area(pane);
+        if (Smoother& mean = m_pictures->smooth[std::size_t(pane)]; mean.count() > 0)
+            mean.copyTo(screen, to.x, to.width, to.height);
+        else
+            copyTo(m_pictures->drawn[std::size_t(pane)], screen, to.x, to.width, to.height);
+    }
 }
 
-// Counts the fetches of what is shown, then refines the edges if that does not hold up the hand.
+// Counts the fetches of what is shown, then smooths the edges.
 void Viewport::measure()
 {
     if (m_stale || !m_renderer || !m_assets.ready())
@@ -181,10 +216,7 @@ void Viewport::measure()
     }
     doneCurrent();
     updateOverlays();
-    if (m_lastDraw * 4. <= kFineLimit) {
-        m_fine = m_stale = true;
-        update();
-    }
+    m_smoothing.start(0);
 }
 
 QImage Viewport::picture()
@@ -198,15 +230,12 @@ QImage Viewport::picture()
     QPainter painter(&sheet);
     for (int pane = 0; pane < paneCount(); ++pane) {
         const PaneArea size = area(pane);
-        Framebuffer fine, plain;
-        fine.resize(2 * size.width, 2 * size.height);
-        plain.resize(size.width, size.height);
-        const Target target{fine.handle(), fine.width(), fine.height(), false, float(2. * devicePixelRatioF())};
-        (void)m_renderer->draw(m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view, target);
-        copyTo(fine, plain.handle(), 0, size.width, size.height);
-        QImage part(size.width, size.height, QImage::Format_RGBA8888);
-        readPixels(plain, {part.bits(), std::size_t(part.sizeInBytes())});
-        painter.drawImage(size.x, 0, part.mirrored());
+        const auto drawn = drawPicture(*m_renderer, m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view,
+            size.width, size.height, kSmoothSamples, false);
+        if (!drawn)
+            continue;
+        const QImage part(reinterpret_cast<const uchar*>(drawn->data.data()), drawn->width, drawn->height, QImage::Format_RGBA8888);
+        painter.drawImage(size.x, 0, part);
     }
     doneCurrent();
     return sheet;

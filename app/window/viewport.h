@@ -5,6 +5,7 @@
 #include "app/window/assets.h"
 #include "app/window/frame_pacer.h"
 #include "app/window/navigation.h"
+#include "app/window/smoother.h"
 #include "render/renderer.h"
 #include <QElapsedTimer>
 #include <QImage>
@@ -32,7 +33,11 @@ public:
     int activePane() const { return m_activePane; } // the one that the technique bar speaks of
     void setActivePane(int pane);
     QImage picture(); // what is shown, in full resolution, without captions
+    // Pictures averaged in what is shown: 0 while the edges are as the pixels fall, kSmoothSamples in the end.
+    int smoothSamples() const { return m_pictures ? m_pictures->smooth[0].count() : 0; }
+    static constexpr int kSmoothSamples = 8;
     bool isFull() const { return !m_stale && m_shownScale >= 1.; } // the picture shown has the full resolution
+    bool isSettled() const { return isFull() && !m_measuring.isActive() && !m_smoothing.isActive(); } // nothing more to come
     double shownScale() const { return m_shownScale; }
 
 Q_SIGNALS:
@@ -62,6 +67,8 @@ private:
     void documentChanged(Changes what);
     void refresh(bool moving); // a new picture is wanted
     void drawPanes(double scale);
+    Expected<void> drawPane(int pane, double scale, glm::vec2 shift);
+    void smooth();
     void showPanes();
     void measure();
     void placeOverlays();
@@ -75,12 +82,15 @@ private:
     Assets& m_assets;
     Messages& m_messages;
     std::unique_ptr<Renderer> m_renderer;
-    std::array<Framebuffer, 2> m_pictures;
+    struct Pictures { // of the panes; goes with the context
+        std::array<Framebuffer, 2> drawn;
+        std::array<Smoother, 2> smooth;
+    };
+    std::unique_ptr<Pictures> m_pictures;
     FramePacer m_pacer;
-    QTimer m_rest, m_measuring, m_flying, m_shaderWatch;
-    bool m_stale = true, m_moving = false, m_fine = false, m_usable = false;
-    double m_shownScale = 0; // of the full resolution along each side; 2 with smooth edges
-    double m_lastDraw = 0; // ms
+    QTimer m_rest, m_measuring, m_smoothing, m_flying, m_shaderWatch;
+    bool m_stale = true, m_moving = false;
+    double m_shownScale = 0; // of the full resolution along each side
     std::array<std::optional<Measurement>, 2> m_measured;
 
     int m_activePane = 0;
