@@ -147,11 +147,6 @@ void clearTarget(const Parameters& parameters, const Target& target, bool heat)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-float heatScale(const Parameters& parameters, std::string_view view)
-{
-    return view == "fetches" ? 1.f / parameters.fetchRange : view == "error" ? 1.f / parameters.errorRange : 1.f;
-}
-
 // What a pane needs to be drawn; the error view measures the search itself, so it searches the full resolution.
 Parameters drawnParameters(const State& state, std::size_t pane, std::string_view view)
 {
@@ -182,7 +177,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     const glm::vec3 shift(2.f * target.jitter.x / float(target.width), 2.f * target.jitter.y / float(std::max(target.height, 1)), 0.f);
     camera.clipFromView = glm::translate(glm::mat4(1.f), shift) * camera.clipFromView;
     SceneUniforms uniforms = sceneUniforms(parameters, camera, mesh.metresPerUV);
-    uniforms.heatScale = heatScale(parameters, view);
+    uniforms.heatScale = 1.f / heatRange(parameters, view);
 
     m->reloadShaders();
     m->uploads.hold(resources);

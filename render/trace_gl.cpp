@@ -19,6 +19,7 @@ constexpr int kRows = 1024;
 
 Texture floatTexture(GLint internal, GLenum layout, int height, const float* data)
 {
+    glActiveTexture(GL_TEXTURE15); // not where the height map is bound
     Texture texture = newTexture();
     glBindTexture(GL_TEXTURE_2D, *texture);
     glTexImage2D(GL_TEXTURE_2D, 0, internal, kRow, height, 0, layout, GL_FLOAT, data);

@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "core/image/image_file.h"
 #include "core/state/views.h"
+#include "render/legend.h"
 #include "render/windowless.h"
 #include <charconv>
 #include <cstdio>
@@ -79,6 +80,8 @@ Result<Warnings> render(RenderOptions& options)
         auto image = drawPicture(renderer, scene->state, 0, scene->resources, view, options.width, options.height, samples, linear);
         if (!image)
             return problem(image.error());
+        if (const ViewRow& row = *findView(view); row.isHeat && !linear)
+            drawLegend(*image, heatRange(effectiveParameters(scene->state, 0), view), row.unit);
         layers.push_back({view, std::move(*image)});
     }
     if (const auto written = write(options, std::move(layers)); !written)

@@ -53,7 +53,7 @@ struct Parameters { // the initialisers ARE the defaults
     // View
     int background = 0;
     bool wireframe = false;
-    float fetchRange = 64.f;
+    float fetchRange = 40.f;
     float errorRange = 0.05f;
     bool operator==(const Parameters&) const = default;
 };

@@ -19,4 +19,9 @@ const ViewRow* findView(std::string_view key)
     return found == kViews.end() ? nullptr : &*found;
 }
 
+float heatRange(const Parameters& parameters, std::string_view view)
+{
+    return view == "fetches" ? parameters.fetchRange : view == "error" ? parameters.errorRange : 1.f;
+}
+
 } // namespace relievo

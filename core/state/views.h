@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/state/parameters.h"
 #include <array>
 #include <string_view>
 
@@ -29,5 +30,8 @@ inline constexpr auto kViews = std::to_array<ViewRow>({
 });
 
 const ViewRow* findView(std::string_view key); // nullptr when unknown
+
+// The value at the bright end of a heat view, in its unit.
+float heatRange(const Parameters& parameters, std::string_view view);
 
 } // namespace relievo

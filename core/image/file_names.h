@@ -1,0 +1,44 @@
+// What a texture's file name says: which maps it holds, of which set, by which convention.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/image/texture_set.h"
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace relievo {
+
+// One map that a file holds.
+struct MapRole {
+    MapKind kind;
+    Channel channel = Channel::Rgb;
+    bool operator==(const MapRole&) const = default;
+};
+
+enum class Packing {
+    None, // one map
+    Channels, // scalar maps in r, g, b: wants 3 channels
+    ColorAndAlpha, // a colour or normal with another map in alpha: wants an alpha that varies
+    Relief, // normal and depth in one of the papers' two forms: the pixels decide which
+};
+
+struct NameGuess {
+    std::string stem; // lower case: the name without kind words and resolution tags; files of one set share it
+    std::string title; // the same as the user wrote it
+    std::string whole; // the stem if the kind words belonged to the name after all
+    std::vector<MapRole> roles; // empty: the name names no kind
+    Packing packing = Packing::None;
+    MapRole plain{MapKind::Height}; // what a packed file is when it has no alpha: the last word's kind
+    bool weak = false; // one letter: counts only when siblings of the same stem agree
+    int rank = 0; // 0 is the best word for its kind
+    Convention convention = Convention::Unsure; // GL, DX, Height or Depth when the name says so
+};
+
+// name: a file name without folder and without suffix. Never fails; any bytes are allowed.
+NameGuess guessFromName(std::string_view name);
+
+// cli.md's rule for an image without siblings.
+bool endsInDepth(std::string_view name);
+
+} // namespace relievo

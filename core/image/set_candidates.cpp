@@ -1,0 +1,57 @@
+// Ranking candidates.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/set_candidates.h"
+#include <algorithm>
+#include <tuple>
+
+namespace relievo {
+namespace {
+bool isLossy(const std::filesystem::path& file)
+{
+    const std::string suffix = file.extension().string();
+    return suffix.size() >= 2 && (suffix[1] == 'j' || suffix[1] == 'J');
+}
+
+// Smaller is better.
+auto rankOf(const Candidate& candidate)
+{
+    const Convention convention = candidate.guess.convention;
+    const int style = convention == Convention::DX ? 2 : convention == Convention::GL ? 0 : 1;
+    const double texels = double(candidate.info.width) * candidate.info.height;
+    return std::tuple(!candidate.chosenByUser, candidate.info.storedBits <= 8, style, -texels, candidate.guess.packing != Packing::None,
+        candidate.guess.rank, isLossy(candidate.file), candidate.file.filename().string());
+}
+} // namespace
+
+std::vector<MapRole> rolesByChannels(const NameGuess& guess, int channels)
+{
+    switch (guess.packing) {
+    case Packing::None:
+        return guess.roles;
+    case Packing::Channels:
+        return channels >= 3 ? guess.roles : std::vector<MapRole>();
+    case Packing::ColorAndAlpha:
+        return channels == 4 ? guess.roles : std::vector<MapRole>{guess.plain};
+    case Packing::Relief:
+        break;
+    }
+    return channels == 4 ? guess.roles : channels <= 2 ? std::vector<MapRole>{guess.plain} : std::vector<MapRole>();
+}
+
+std::vector<Choice> chooseMaps(const std::vector<Candidate>& candidates)
+{
+    std::vector<Choice> choices;
+    for (const MapKindRow& row : kMapKinds) {
+        std::optional<Choice> best;
+        for (const Candidate& candidate : candidates)
+            for (const MapRole& role : candidate.roles)
+                if (role.kind == row.kind && (!best || rankOf(candidate) < rankOf(*best->candidate)))
+                    best = Choice{role, &candidate};
+        if (best)
+            choices.push_back(*best);
+    }
+    return choices;
+}
+
+} // namespace relievo

@@ -1,0 +1,30 @@
+// Choosing which file gives which map of a set.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/image/set_groups.h"
+#include "core/image/texture_set.h"
+#include <optional>
+#include <vector>
+
+namespace relievo {
+
+struct Candidate {
+    std::filesystem::path file;
+    NameGuess guess;
+    std::vector<MapRole> roles; // what it may give; shrinks as its pixels are seen
+    ImageInfo info;
+    bool chosenByUser = false; // SOURCE itself: wins over better siblings
+};
+
+// The roles that the channels of the file allow.
+std::vector<MapRole> rolesByChannels(const NameGuess& guess, int channels);
+
+struct Choice {
+    MapRole role;
+    const Candidate* candidate;
+};
+// The best candidate for each kind: SOURCE, then deeper than 8 bits, OpenGL before DirectX, larger, one map to itself, better word.
+std::vector<Choice> chooseMaps(const std::vector<Candidate>& candidates);
+
+} // namespace relievo

@@ -1,0 +1,127 @@
+// Grouping by stem.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/set_groups.h"
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace relievo {
+namespace fs = std::filesystem;
+namespace {
+using Groups = std::map<std::string, FileGroup>;
+
+std::set<MapKind> kindsOf(const FileGroup& group)
+{
+    std::set<MapKind> kinds;
+    for (const NamedFile& file : group.files)
+        for (const MapRole& role : file.guess.roles)
+            kinds.insert(role.kind);
+    return kinds;
+}
+
+bool shareKinds(const FileGroup& a, const FileGroup& b)
+{
+    const std::set<MapKind> ours = kindsOf(a);
+    return std::ranges::any_of(kindsOf(b), [&](MapKind kind) { return ours.contains(kind); });
+}
+
+// "floor01" and "floor01a": one or two letters more, straight after.
+bool nearlySame(const std::string& shorter, const std::string& longer)
+{
+    const auto isLetter = [](char c) { return c >= 'a' && c <= 'z'; };
+    return !shorter.empty() && longer.size() > shorter.size() && longer.size() <= shorter.size() + 2 && longer.starts_with(shorter)
+        && std::all_of(longer.begin() + std::ptrdiff_t(shorter.size()), longer.end(), isLetter);
+}
+
+void absorb(FileGroup& into, FileGroup& from)
+{
+    into.files.insert(into.files.end(), from.files.begin(), from.files.end());
+    from.files.clear();
+}
+
+// Artists change a letter when they save a variant of one map.
+void mergeNearStems(Groups& groups)
+{
+    for (auto& [stem, group] : groups)
+        for (auto& [other, others] : groups)
+            if (nearlySame(stem, other) && !group.files.empty() && !others.files.empty() && !shareKinds(group, others))
+                group.kinds() >= others.kinds() ? absorb(group, others) : absorb(others, group);
+    std::erase_if(groups, [](const auto& entry) { return entry.second.files.empty(); });
+}
+
+// One-letter suffixes need a second opinion: another file of the group that names another kind.
+std::vector<NamedFile> takeDoubtful(Groups& groups)
+{
+    std::vector<NamedFile> doubtful;
+    for (auto& [stem, group] : groups) {
+        const bool weakOnly = std::ranges::all_of(group.files, [](const NamedFile& file) { return file.guess.weak; });
+        if (!weakOnly || group.kinds() >= 2)
+            continue;
+        for (NamedFile& file : group.files) {
+            file.guess.roles.clear();
+            file.guess.packing = Packing::None;
+            file.guess.convention = Convention::Unsure;
+            file.guess.stem = file.guess.title = file.guess.whole;
+            doubtful.push_back(std::move(file));
+        }
+        group.files.clear();
+    }
+    std::erase_if(groups, [](const auto& entry) { return entry.second.files.empty(); });
+    return doubtful;
+}
+} // namespace
+
+int FileGroup::kinds() const
+{
+    return int(kindsOf(*this).size());
+}
+
+bool FileGroup::holds(MapKind kind) const
+{
+    return kindsOf(*this).contains(kind);
+}
+
+bool FileGroup::contains(const fs::path& file) const
+{
+    const auto same = [&](const NamedFile& one) { return one.file == file; };
+    return std::ranges::any_of(files, same) || std::ranges::any_of(plain, same);
+}
+
+std::vector<FileGroup> groupFiles(std::span<const fs::path> files)
+{
+    Groups groups;
+    std::vector<NamedFile> without;
+    for (const fs::path& file : files) {
+        NamedFile named{file, guessFromName(file.stem().string())};
+        if (named.guess.roles.empty()) {
+            without.push_back(std::move(named));
+            continue;
+        }
+        FileGroup& group = groups[named.guess.stem];
+        group.stem = named.guess.stem;
+        group.title = named.guess.title;
+        group.files.push_back(std::move(named));
+    }
+    mergeNearStems(groups);
+    for (NamedFile& file : takeDoubtful(groups))
+        without.push_back(std::move(file));
+    for (NamedFile& file : without) {
+        FileGroup& group = groups[file.guess.stem];
+        if (group.files.empty() && group.plain.empty()) {
+            group.stem = file.guess.stem;
+            group.title = file.guess.title;
+        }
+        group.plain.push_back(std::move(file));
+    }
+    std::vector<FileGroup> sorted;
+    for (auto& [stem, group] : groups)
+        sorted.push_back(std::move(group));
+    std::ranges::stable_sort(sorted, [](const FileGroup& a, const FileGroup& b) {
+        return std::tuple(-a.kinds(), !a.holds(MapKind::Height)) < std::tuple(-b.kinds(), !b.holds(MapKind::Height));
+    });
+    return sorted;
+}
+
+} // namespace relievo

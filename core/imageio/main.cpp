@@ -1,0 +1,117 @@
+// relievo-imageio: the small program that decodes and encodes image files for the editor, within limits, so that a bad file cannot hurt it.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/imageio/channel.h"
+#include "core/imageio/read.h"
+#include "core/imageio/write.h"
+#include <OpenImageIO/imageio.h>
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <malloc.h>
+#include <new>
+#include <poll.h>
+#include <sys/resource.h>
+#include <thread>
+#include <unistd.h>
+
+namespace {
+using namespace relievo::imageio;
+
+void limitMemory()
+{
+    const rlimit noCore{0, 0};
+    ::setrlimit(RLIMIT_CORE, &noCore);
+    ::mallopt(M_ARENA_MAX, 2); // each arena reserves 64 MiB of address space
+#ifndef __SANITIZE_ADDRESS__ // its shadow memory alone is larger; the editor sets its hard_rss_limit_mb instead
+    const rlimit space{kMemoryLimitMiB << 20, kMemoryLimitMiB << 20};
+    ::setrlimit(RLIMIT_AS, &space);
+#endif
+}
+
+void configureLibrary()
+{
+    const int threads = int(std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
+    OIIO::attribute("threads", threads);
+    OIIO::attribute("exr_threads", threads);
+    OIIO::attribute("limits:imagesize_MB", 16384);
+    OIIO::attribute("limits:channels", 1024);
+}
+
+// The editor may be gone while a decoder hangs.
+void endWhenAbandoned()
+{
+    std::thread([] {
+        pollfd closed{STDIN_FILENO, 0, 0};
+        while (::poll(&closed, 1, -1) < 0 || !(closed.revents & (POLLHUP | POLLERR | POLLNVAL))) { }
+        ::_exit(0);
+    }).detach();
+}
+
+// Image libraries may print; stdout belongs to the conversation.
+int takeStdout()
+{
+    const int out = ::dup(STDOUT_FILENO);
+    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+    return out;
+}
+
+std::string lowerSuffix(const std::string& file)
+{
+    std::string suffix = std::filesystem::path(file).extension().string();
+    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return suffix.empty() ? suffix : suffix.substr(1);
+}
+
+WriteRequest writeRequest(PacketReader& packet)
+{
+    WriteRequest request;
+    request.suffix = packet.text();
+    for (std::uint64_t* number : {&request.width, &request.height, &request.channels, &request.type, &request.srgb})
+        *number = packet.number();
+    request.channelNames = packet.text();
+    return request;
+}
+
+void answer(Channel& channel, Message message, std::span<const std::byte> bytes)
+{
+    PacketReader packet(bytes);
+    if (message == Message::Write)
+        return answerWrite(channel, writeRequest(packet));
+    const std::string file = packet.text();
+    if (message == Message::ReadBytes)
+        return answerReadBytes(channel, packet.number());
+    answerRead(channel, file, lowerSuffix(file), message == Message::Info);
+}
+
+// A refusal in the middle of a reply is fine: the editor drops what came before.
+bool answerSafely(Channel& channel, Message message, std::span<const std::byte> bytes)
+{
+    try {
+        answer(channel, message, bytes);
+        return true;
+    } catch (const std::bad_alloc&) {
+        channel.fail({"the image needs more memory than an image may take", "It is damaged or too large: reduce or export it again"});
+    } catch (const std::exception&) {
+        channel.fail({"the image library gave up on it", "The file is damaged: export it again from the program that made it"});
+    }
+    return message != Message::Write && message != Message::ReadBytes; // their input may be only half taken
+}
+} // namespace
+
+int main()
+{
+    limitMemory();
+    Channel channel(STDIN_FILENO, takeStdout());
+    endWhenAbandoned();
+    configureLibrary();
+    Frame frame;
+    while (channel.receive(std::as_writable_bytes(std::span(&frame, 1)))) {
+        if (frame.size > kMaxPacket)
+            return 1;
+        std::vector<std::byte> packet(frame.size);
+        if (!channel.receive(packet) || !answerSafely(channel, frame.message, packet))
+            break;
+    }
+    ::_exit(0); // no need to take the image libraries down one by one
+}

@@ -1,0 +1,198 @@
+// Opening image files and deciding how they are read.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/imageio/picture.h"
+#include "core/image/image_file.h"
+#include "core/imageio/read.h"
+#include <algorithm>
+#include <fstream>
+
+namespace relievo::imageio {
+namespace {
+constexpr std::string_view kDamaged = "The file is damaged: export it again from the program that made it";
+
+std::vector<std::byte> firstBytes(const std::string& file)
+{
+    std::vector<std::byte> bytes(32);
+    std::ifstream in(file, std::ios::binary);
+    in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
+    bytes.resize(std::size_t(std::max<std::streamsize>(in.gcount(), 0)));
+    return bytes;
+}
+
+Refusal notAnImage(std::span<const std::byte> start, const std::string& suffix)
+{
+    if (start.empty())
+        return {"the file is empty", "Export it again from the program that made it"};
+    if (const FormatRow* named = formatOfSuffix(suffix))
+        return {"the file does not hold the " + std::string(named->label) + " image that its name promises", std::string(kDamaged)};
+    return {"this is not an image format that can be read", "Convert it to PNG, TIFF, JPEG, EXR, HDR, TGA, BMP or DDS"};
+}
+
+// PNG widens 1, 2 and 4 bits to 8; what the file holds stands in its first chunk (byte 24: bit depth, 25: colour type, 3 = palette).
+int storedBits(const Picture& picture, std::span<const std::byte> start)
+{
+    const int held = int(picture.spec.format.basesize()) * 8;
+    if (picture.format->name == "png" && start.size() > 25)
+        return start[25] == std::byte(3) ? 8 : std::to_integer<int>(start[24]);
+    if (picture.format->name != "tiff")
+        return held;
+    const int told = picture.spec.get_int_attribute("oiio:BitsPerSample", held);
+    return told >= 1 && told <= held ? told : held;
+}
+
+PixelType pixelType(const OIIO::ImageSpec& spec)
+{
+    if (!spec.channelformats.empty())
+        return PixelType::F32;
+    return spec.format == OIIO::TypeDesc::UINT8 ? PixelType::U8 : spec.format == OIIO::TypeDesc::UINT16 ? PixelType::U16 : PixelType::F32;
+}
+
+bool isFloat(const OIIO::ImageSpec& spec)
+{
+    return spec.format.is_floating_point();
+}
+
+bool isCmyk(const OIIO::ImageSpec& spec)
+{
+    return spec.get_string_attribute("jpeg:ColorSpace") == "CMYK" || spec.get_string_attribute("tiff:ColorSpace") == "CMYK"
+        || spec.get_int_attribute("tiff:PhotometricInterpretation") == 5 || spec.get_string_attribute("oiio:ColorSpace") == "CMYK";
+}
+
+std::string sizeText(int width, int height)
+{
+    return std::to_string(width) + " x " + std::to_string(height);
+}
+
+// Sides and count small enough to keep: one factor for both, so that texels stay square, but no side vanishes.
+void chooseReduction(Picture& picture)
+{
+    const int width = picture.shown.width, height = picture.shown.height;
+    const auto reduced = [](int side, int factor) { return (side + factor - 1) / factor; };
+    int factor = 1;
+    while (reduced(width, factor) > kMaxSide || reduced(height, factor) > kMaxSide
+        || std::size_t(reduced(width, factor)) * std::size_t(reduced(height, factor)) > kMaxTexels)
+        ++factor;
+    picture.factorX = std::min(factor, width);
+    picture.factorY = std::min(factor, height);
+    picture.header.width = std::uint64_t(reduced(width, picture.factorX));
+    picture.header.height = std::uint64_t(reduced(height, picture.factorY));
+    if (factor > 1)
+        picture.warnings.emplace_back("reduced",
+            "the image of " + sizeText(width, height) + " texels was reduced to "
+                + sizeText(int(picture.header.width), int(picture.header.height)));
+}
+
+// EXR may store less, more or another part than what is to be shown; where nothing of it would be shown, all that is stored is.
+void chooseWindows(Picture& picture)
+{
+    const OIIO::ImageSpec& spec = picture.spec;
+    picture.data = {spec.x, spec.y, spec.width, spec.height};
+    picture.shown = picture.data;
+    const Window display{spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+    if (picture.format->name != "openexr" || display.width < 1 || display.height < 1 || display == picture.data)
+        return;
+    const auto overlaps = [](long a, long aSize, long b, long bSize) { return a < b + bSize && b < a + aSize; };
+    const bool seen = overlaps(spec.x, spec.width, display.x, display.width) && overlaps(spec.y, spec.height, display.y, display.height);
+    if (seen)
+        picture.shown = display;
+    picture.warnings.emplace_back("data-window",
+        "the stored pixels (" + sizeText(spec.width, spec.height) + ") differ from the display window ("
+            + sizeText(display.width, display.height)
+            + (seen ? "): what lies outside was cut, what is missing is 0" : ") and lie outside it: the stored pixels are used"));
+}
+
+tl::expected<void, Refusal> checkSize(const Picture& picture)
+{
+    const Window& w = picture.shown;
+    const OIIO::ImageSpec& spec = picture.spec;
+    if (spec.deep)
+        return tl::unexpected(Refusal{"deep images hold no single height or colour a pixel", "Flatten it and export it again"});
+    if (spec.depth > 1 || spec.tile_depth > 1)
+        return tl::unexpected(Refusal{"this is a volume of several slices", "Export one slice as an image"});
+    if (w.width < 1 || w.height < 1 || spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+        return tl::unexpected(Refusal{"the image has no pixels", std::string(kDamaged)});
+    const int side = std::max({w.width, w.height, spec.width, spec.height});
+    if (side > kMaxFileSide || double(w.width) * w.height > kMaxFileTexels || double(spec.width) * spec.height > kMaxFileTexels)
+        return tl::unexpected(Refusal{"the image claims " + sizeText(spec.width, spec.height) + " texels, which is too large",
+            "Reduce it to at most " + std::to_string(kMaxSide) + " texels a side"});
+    return {};
+}
+
+void fillHeader(Picture& picture, std::span<const std::byte> start)
+{
+    HeaderReply& header = picture.header;
+    header.fileWidth = std::uint64_t(picture.shown.width);
+    header.fileHeight = std::uint64_t(picture.shown.height);
+    header.fileChannels = std::uint64_t(picture.spec.nchannels);
+    header.channels = std::uint64_t(picture.channels);
+    header.type = std::uint64_t(picture.type);
+    header.storedBits = std::uint64_t(storedBits(picture, start));
+    header.storedFloat = isFloat(picture.spec);
+}
+
+// Grey with 16 bits and palettes that do not begin at 0 are not read faithfully.
+bool isOddTga(const Picture& picture, std::span<const std::byte> start)
+{
+    if (picture.format->name != "targa" || start.size() < 18)
+        return false;
+    const int kind = std::to_integer<int>(start[2]) & 7, bits = std::to_integer<int>(start[16]);
+    const bool shiftedPalette = start[1] == std::byte(1) && (start[3] != std::byte(0) || start[4] != std::byte(0));
+    return shiftedPalette || (kind == 3 && bits != 8);
+}
+
+void tellPeculiarities(Picture& picture, std::span<const std::byte> start)
+{
+    if (isOddTga(picture, start))
+        picture.warnings.emplace_back("unusual-tga", "the TGA header is unusual, the picture may be wrong: convert it to PNG if so");
+    const int count = picture.spec.nchannels;
+    if (count > 4)
+        picture.warnings.emplace_back("channels", "only the first 4 of its " + std::to_string(count) + " channels are used");
+    if (isCmyk(picture.spec))
+        picture.warnings.emplace_back("cmyk", "the image is stored as CMYK and was converted to RGB without a colour profile");
+    const int parts = picture.spec.get_int_attribute("oiio:subimages", 1);
+    if (parts > 1)
+        picture.warnings.emplace_back("parts", "only the first of its " + std::to_string(parts) + " parts is used");
+}
+} // namespace
+
+Refusal refusalFrom(const FormatRow& format, std::string text, const std::string& file)
+{
+    for (std::size_t at = text.find(file); !file.empty() && at != std::string::npos; at = text.find(file, at))
+        text.replace(at, file.size(), "the file");
+    text.resize(std::min(text.find('\n'), text.size()));
+    std::erase_if(text, [](char c) { return c < ' ' || c > '~'; }); // bytes of the file may stand in it
+    while (!text.empty() && (text.back() == '.' || text.back() == ' '))
+        text.pop_back();
+    text.resize(std::min<std::size_t>(text.size(), 200));
+    const std::string what = "the " + std::string(format.label) + " data cannot be decoded" + (text.empty() ? "" : " (" + text + ")");
+    return {what, std::string(kDamaged)};
+}
+
+tl::expected<Picture, Refusal> openPicture(const std::string& file, const std::string& suffix)
+{
+    const std::vector<std::byte> start = firstBytes(file);
+    Picture picture;
+    picture.format = recognise(start, suffix);
+    if (!picture.format)
+        return tl::unexpected(notAnImage(start, suffix));
+    picture.input = OIIO::ImageInput::create(picture.format->name);
+    if (!picture.input)
+        return tl::unexpected(
+            Refusal{"this build reads no " + std::string(picture.format->label) + " images", "Convert it to PNG or TIFF"});
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1); // alpha often holds height: colours must never be multiplied by it
+    if (!picture.input->open(file, picture.spec, config))
+        return tl::unexpected(refusalFrom(*picture.format, picture.input->geterror(), file));
+    picture.type = pixelType(picture.spec);
+    picture.channels = std::min(picture.spec.nchannels, 4);
+    chooseWindows(picture);
+    if (const auto size = checkSize(picture); !size)
+        return tl::unexpected(size.error());
+    chooseReduction(picture);
+    fillHeader(picture, start);
+    tellPeculiarities(picture, start);
+    return picture;
+}
+
+} // namespace relievo::imageio

@@ -1,0 +1,343 @@
+// From a file's triangles to a mesh with normals, UVs and frames at every vertex.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/frames.h"
+#include "core/mesh/raw_mesh.h"
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace relievo {
+
+namespace {
+using Corner = RawMesh::Corner;
+constexpr std::uint32_t kNone = RawMesh::kNone;
+// Beyond this, squares of lengths leave the range of float.
+constexpr float kLargest = 1e15f;
+
+bool usable(glm::vec3 v)
+{
+    return std::abs(v.x) < kLargest && std::abs(v.y) < kLargest && std::abs(v.z) < kLargest; // false for NaN
+}
+
+std::string counted(std::size_t count, const char* one, const char* many)
+{
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+template <std::size_t N> using Key = std::array<float, N>;
+template <std::size_t N> struct KeyHash {
+    std::size_t operator()(const Key<N>& key) const
+    {
+        std::uint64_t h = 0xcbf29ce484222325u;
+        for (const float value : key) {
+            std::uint32_t bits;
+            const float positive = value + 0.f; // -0 equals 0
+            std::memcpy(&bits, &positive, sizeof bits);
+            h = (h ^ bits) * 0x9e3779b97f4a7c15u;
+            h ^= h >> 29;
+        }
+        return std::size_t(h);
+    }
+};
+
+// Keeps the triangles that `keep` accepts, and the parts in step with them.
+template <class Keep> std::size_t filterTriangles(RawMesh& raw, Keep keep)
+{
+    std::vector<Corner> kept;
+    kept.reserve(raw.corners.size());
+    for (MeshPart& part : raw.parts) {
+        const auto first = std::uint32_t(kept.size());
+        for (std::size_t i = part.firstIndex; i + 2 < std::size_t(part.firstIndex) + part.indexCount; i += 3)
+            if (keep(&raw.corners[i]))
+                kept.insert(kept.end(), &raw.corners[i], &raw.corners[i] + 3);
+        part.firstIndex = first;
+        part.indexCount = std::uint32_t(kept.size()) - first;
+    }
+    const std::size_t dropped = (raw.corners.size() - kept.size()) / 3;
+    raw.corners = std::move(kept);
+    std::erase_if(raw.parts, [](const MeshPart& part) { return part.indexCount == 0; });
+    return dropped;
+}
+
+void dropBroken(RawMesh& raw)
+{
+    const std::size_t dropped = filterTriangles(raw, [&raw](const Corner* corner) {
+        return usable(raw.positions[corner[0].position]) && usable(raw.positions[corner[1].position])
+            && usable(raw.positions[corner[2].position]);
+    });
+    if (dropped > 0)
+        raw.warn("triangles-dropped",
+            counted(dropped, "triangle has", "triangles have") + " positions that are not finite numbers and were left out.");
+}
+
+// Normals of length 0 or not finite are forgotten, the others made unit; UVs that are not finite are forgotten.
+void repairAttributes(RawMesh& raw)
+{
+    std::vector<char> badNormal(raw.normals.size(), 0), badUV(raw.uvs.size(), 0);
+    for (std::size_t i = 0; i < raw.normals.size(); ++i) {
+        const float length = usable(raw.normals[i]) ? glm::length(raw.normals[i]) : 0.f;
+        if (length > 1e-12f)
+            raw.normals[i] /= length;
+        else
+            badNormal[i] = 1;
+    }
+    for (std::size_t i = 0; i < raw.uvs.size(); ++i)
+        badUV[i] = !usable(glm::vec3(raw.uvs[i], 0.f));
+    std::size_t normals = 0, uvs = 0;
+    for (Corner& corner : raw.corners) {
+        if (corner.normal != kNone && badNormal[corner.normal]) {
+            corner.normal = kNone;
+            ++normals;
+        }
+        if (corner.uv != kNone && badUV[corner.uv]) {
+            corner.uv = kNone;
+            ++uvs;
+        }
+    }
+    if (normals > 0)
+        raw.warn("normals-repaired", counted(normals, "corner has a normal", "corners have normals") + " of no direction.");
+    if (uvs > 0)
+        raw.warn("uvs-repaired", counted(uvs, "corner has a UV that is", "corners have UVs that are") + " not finite; they were left out.");
+}
+
+std::size_t distinctTuples(const RawMesh& raw)
+{
+    std::unordered_set<Key<8>, KeyHash<8>> tuples;
+    tuples.reserve(raw.corners.size());
+    for (const Corner& corner : raw.corners) {
+        const glm::vec3 p = raw.positions[corner.position];
+        const glm::vec3 n = corner.normal == kNone ? glm::vec3(0.f) : raw.normals[corner.normal];
+        const glm::vec2 uv = corner.uv == kNone ? glm::vec2(0.f) : raw.uvs[corner.uv];
+        tuples.insert({p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y});
+    }
+    if (!raw.countsUnused)
+        return tuples.size();
+    std::vector<char> used(raw.positions.size(), 0);
+    for (const Corner& corner : raw.corners)
+        used[corner.position] = 1;
+    std::unordered_set<Key<3>, KeyHash<3>> unused;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (!used[i])
+            unused.insert({raw.positions[i].x, raw.positions[i].y, raw.positions[i].z});
+    return tuples.size() + unused.size();
+}
+
+struct Face {
+    glm::vec3 normal{0.f}; // unit, or 0 for a triangle without area
+    std::array<float, 3> angles{}; // at its corners, radians
+};
+
+Face faceOf(const RawMesh& raw, const Corner* corner)
+{
+    Face face;
+    const std::array<glm::dvec3, 3> p = {glm::dvec3(raw.positions[corner[0].position]), glm::dvec3(raw.positions[corner[1].position]),
+        glm::dvec3(raw.positions[corner[2].position])};
+    const glm::dvec3 across = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const double length = glm::length(across);
+    if (!(length > 0.0))
+        return face;
+    face.normal = glm::vec3(across / length);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
+        face.angles[k] = float(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+    }
+    return face;
+}
+
+// Corners by place: those of place g are order[starts[g]] .. order[starts[g + 1] - 1].
+struct Places {
+    std::vector<std::uint32_t> order, starts;
+};
+
+Places placesOf(const RawMesh& raw)
+{
+    std::unordered_map<Key<3>, std::uint32_t, KeyHash<3>> numbers;
+    std::vector<std::uint32_t> place(raw.corners.size());
+    for (std::size_t i = 0; i < raw.corners.size(); ++i) {
+        const glm::vec3 p = raw.positions[raw.corners[i].position];
+        place[i] = numbers.try_emplace({p.x, p.y, p.z}, std::uint32_t(numbers.size())).first->second;
+    }
+    Places places;
+    places.starts.assign(numbers.size() + 1, 0);
+    for (const std::uint32_t g : place)
+        ++places.starts[g + 1];
+    for (std::size_t g = 1; g < places.starts.size(); ++g)
+        places.starts[g] += places.starts[g - 1];
+    places.order.resize(place.size());
+    std::vector<std::uint32_t> next(places.starts.begin(), places.starts.end() - 1);
+    for (std::size_t i = 0; i < place.size(); ++i)
+        places.order[next[place[i]]++] = std::uint32_t(i);
+    return places;
+}
+
+// Angle-weighted mean of the faces around a place that bend less than the crease from face `own`.
+glm::vec3 smoothNormal(std::span<const std::uint32_t> around, const std::vector<Face>& faces, const Face& own, float minCosine)
+{
+    glm::vec3 sum(0.f);
+    for (const std::uint32_t corner : around) {
+        const Face& face = faces[corner / 3];
+        if (glm::dot(face.normal, own.normal) >= minCosine)
+            sum += face.normal * face.angles[corner % 3];
+    }
+    const float length = glm::length(sum);
+    if (length > 1e-6f)
+        return sum / length;
+    return glm::dot(own.normal, own.normal) > 0.f ? own.normal : glm::vec3(0.f, 1.f, 0.f);
+}
+
+void makeNormals(RawMesh& raw)
+{
+    const auto missing = std::size_t(std::ranges::count_if(raw.corners, [](const Corner& corner) { return corner.normal == kNone; }));
+    if (missing == 0)
+        return;
+    if (missing == raw.corners.size())
+        raw.warn("normals-made", "The mesh holds no normals; they were made from its triangles.");
+    else
+        raw.warn("normals-made", counted(missing, "corner holds", "corners hold") + " no normal; they were made from the triangles.");
+    std::vector<Face> faces(raw.corners.size() / 3);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces[i] = faceOf(raw, &raw.corners[i * 3]);
+    const float minCosine = std::min(std::cos(glm::radians(raw.creaseDegrees)), 0.9999f);
+    // A hub of very many triangles (a fan, a collapsed part) takes one mean: pairs would cost its square.
+    constexpr std::size_t kHub = 512;
+    const Places places = placesOf(raw);
+    for (std::size_t g = 0; g + 1 < places.starts.size(); ++g) {
+        const std::span around(places.order.begin() + places.starts[g], places.order.begin() + places.starts[g + 1]);
+        for (const std::uint32_t at : around) {
+            if (raw.corners[at].normal != kNone)
+                continue;
+            const Face& own = faces[at / 3];
+            // A triangle without area has no side of its own: it follows all.
+            const bool all = glm::dot(own.normal, own.normal) == 0.f;
+            const glm::vec3 normal = around.size() > kHub ? (all ? glm::vec3(0.f, 1.f, 0.f) : own.normal)
+                                                          : smoothNormal(around, faces, own, all ? -2.f : minCosine);
+            raw.corners[at].normal = std::uint32_t(raw.normals.size());
+            raw.normals.push_back(normal);
+        }
+    }
+}
+
+// Projects onto the box side that the triangle faces: u to the right and v down as seen from outside.
+glm::vec2 boxUV(glm::vec3 p, glm::vec3 faceNormal)
+{
+    const glm::vec3 a = glm::abs(faceNormal);
+    if (a.y >= a.x && a.y >= a.z)
+        return {p.x, faceNormal.y < 0.f ? -p.z : p.z};
+    if (a.x >= a.z)
+        return {faceNormal.x < 0.f ? p.z : -p.z, -p.y};
+    return {faceNormal.z < 0.f ? -p.x : p.x, -p.y};
+}
+
+void makeUVs(RawMesh& raw)
+{
+    glm::vec3 low(kLargest), high(-kLargest);
+    for (const Corner& corner : raw.corners) {
+        low = glm::min(low, raw.positions[corner.position]);
+        high = glm::max(high, raw.positions[corner.position]);
+    }
+    const glm::vec3 size = high - low, middle = 0.5f * (low + high);
+    const float side = std::max({size.x, size.y, size.z, 1e-12f});
+    std::size_t made = 0;
+    for (std::size_t i = 0; i < raw.corners.size(); i += 3) {
+        Corner* corner = &raw.corners[i];
+        if (corner[0].uv != kNone && corner[1].uv != kNone && corner[2].uv != kNone)
+            continue;
+        const glm::vec3 normal = faceOf(raw, corner).normal;
+        for (int k = 0; k < 3; ++k) {
+            corner[k].uv = std::uint32_t(raw.uvs.size());
+            corner[k].tangent = kNone;
+            raw.uvs.push_back(boxUV(raw.positions[corner[k].position] - middle, normal) / side + 0.5f);
+        }
+        ++made;
+    }
+    if (made > 0)
+        raw.warn("uvs-made",
+            made * 3 == raw.corners.size()
+                ? "The mesh holds no UVs; the texture is projected from six sides, one tile to its largest side."
+                : counted(made, "triangle holds", "triangles hold") + " no UVs; the texture is projected on them from six sides.");
+}
+
+// The file's tangent if it is sound, else w = 0.
+glm::vec4 tangentOf(const RawMesh& raw, const Corner& corner)
+{
+    if (corner.tangent == kNone)
+        return glm::vec4(0.f);
+    const glm::vec4 tangent = raw.tangents[corner.tangent];
+    const glm::vec3 n = raw.normals[corner.normal];
+    const glm::vec3 flat = glm::vec3(tangent) - n * glm::dot(n, glm::vec3(tangent));
+    const float length = usable(flat) ? glm::length(flat) : 0.f;
+    if (length < 1e-6f || !std::isfinite(tangent.w))
+        return glm::vec4(0.f);
+    return glm::vec4(flat / length, tangent.w < 0.f ? -1.f : 1.f);
+}
+
+// Joins corners that agree in everything. Mirrored and unmirrored texture never share a vertex: their frames would cancel.
+std::vector<glm::vec4> joinCorners(const RawMesh& raw, Mesh& mesh)
+{
+    std::unordered_map<Key<13>, std::uint32_t, KeyHash<13>> numbers;
+    numbers.reserve(raw.corners.size());
+    std::vector<glm::vec4> tangents;
+    mesh.indices.reserve(raw.corners.size());
+    for (std::size_t i = 0; i < raw.corners.size(); ++i) {
+        const Corner* triangle = &raw.corners[i - i % 3];
+        const bool mirrored = signedUVArea(raw.uvs[triangle[0].uv], raw.uvs[triangle[1].uv], raw.uvs[triangle[2].uv]) > 0.f;
+        const Corner& corner = raw.corners[i];
+        const glm::vec3 p = raw.positions[corner.position], n = raw.normals[corner.normal];
+        const glm::vec2 uv = raw.uvs[corner.uv];
+        const glm::vec4 t = tangentOf(raw, corner);
+        const Key<13> key = {p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, t.x, t.y, t.z, t.w, mirrored ? 1.f : 0.f};
+        const auto [found, isNew] = numbers.try_emplace(key, std::uint32_t(mesh.vertices.size()));
+        if (isNew) {
+            mesh.vertices.push_back({.position = p, .normal = n, .uv = uv, .tangent = {}, .dPdu = {}, .dPdv = {}});
+            tangents.push_back(t);
+        }
+        mesh.indices.push_back(found->second);
+    }
+    return tangents;
+}
+} // namespace
+
+Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& progress)
+{
+    dropBroken(raw);
+    if (raw.corners.empty())
+        return failure(where, raw.warnings.empty() ? "the file holds no triangles" : "no triangle of the file has finite positions",
+            "Export a surface of triangles or polygons");
+    const auto hasArea = [&raw](std::size_t i) { return faceOf(raw, &raw.corners[i]).normal != glm::vec3(0.f); };
+    bool anyArea = false;
+    for (std::size_t i = 0; i < raw.corners.size() && !anyArea; i += 3)
+        anyArea = hasArea(i);
+    if (!anyArea)
+        return failure(where, "none of its triangles has an area", "Export a surface that can be seen");
+    Mesh mesh;
+    const auto allHave = [&raw](std::uint32_t Corner::*member) {
+        return std::ranges::all_of(raw.corners, [member](const Corner& corner) { return corner.*member != kNone; });
+    };
+    mesh.fileHasNormals = allHave(&Corner::normal);
+    mesh.fileHasUVs = allHave(&Corner::uv);
+    mesh.fileHasTangents = allHave(&Corner::tangent);
+    repairAttributes(raw);
+    mesh.fileVertices = distinctTuples(raw);
+    progress.at(0.6f);
+    if (progress.cancelled())
+        return failure(where, "cancelled");
+    makeNormals(raw);
+    makeUVs(raw);
+    progress.at(0.8f);
+    if (progress.cancelled())
+        return failure(where, "cancelled");
+    const std::vector<glm::vec4> tangents = joinCorners(raw, mesh);
+    mesh.name = std::move(raw.name);
+    mesh.parts = std::move(raw.parts);
+    mesh.warnings = std::move(raw.warnings);
+    completeFrames(mesh, tangents);
+    progress.at(1.f);
+    return mesh;
+}
+
+} // namespace relievo

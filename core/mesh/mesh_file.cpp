@@ -1,0 +1,69 @@
+// Opening meshes by name or file, and describing them as JSON.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/mesh.h"
+#include "core/mesh/raw_mesh.h"
+#include "core/mesh/shapes.h"
+#include <nlohmann/json.hpp>
+
+namespace relievo {
+
+namespace {
+struct ReaderRow {
+    std::string_view suffix; // lower case
+    Expected<RawMesh> (*read)(const std::filesystem::path&, const Progress&);
+};
+constexpr ReaderRow kReaders[] = {
+    {".gltf", readGltf},
+    {".glb", readGltf},
+    {".obj", readObj},
+    {".ply", readPly},
+    {".stl", readStl},
+    {".off", readOff},
+};
+
+std::string lowered(std::string text)
+{
+    for (char& c : text)
+        c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return text;
+}
+} // namespace
+
+Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress)
+{
+    if (std::optional<Mesh> shape = makeShape(nameOrFile))
+        return std::move(*shape);
+    const std::filesystem::path file(nameOrFile);
+    const std::string suffix = lowered(file.extension().string());
+    for (const ReaderRow& row : kReaders) {
+        if (row.suffix != suffix)
+            continue;
+        Expected<RawMesh> raw = row.read(file, progress);
+        if (!raw)
+            return tl::unexpected(raw.error());
+        if (raw->name.empty())
+            raw->name = file.stem().string();
+        progress.at(0.5f);
+        return buildMesh(std::move(*raw), nameOrFile, progress);
+    }
+    return failure(nameOrFile, "this is neither a built-in shape nor a mesh file that can be read",
+        "Use plane, sphere, cylinder, torus, box, or a .gltf, .glb, .obj, .ply, .stl or .off file");
+}
+
+std::string meshJson(const Mesh& mesh)
+{
+    using Json = nlohmann::ordered_json;
+    const auto point = [](glm::vec3 p) { return Json::array({p.x, p.y, p.z}); };
+    Json parts = Json::array(), warnings = Json::array();
+    for (const MeshPart& part : mesh.parts)
+        parts.push_back({{"name", part.name}, {"material", part.material}, {"triangles", part.indexCount / 3}});
+    for (const Warning& warning : mesh.warnings)
+        warnings.push_back({{"code", warning.code}, {"text", warning.text}});
+    const Json json = {{"name", mesh.name}, {"vertices", mesh.fileVertices}, {"triangles", mesh.indices.size() / 3}, {"parts", parts},
+        {"uvs", mesh.fileHasUVs}, {"normals", mesh.fileHasNormals}, {"tangents", mesh.fileHasTangents},
+        {"bounds", Json::array({point(mesh.boundsMin), point(mesh.boundsMax)})}, {"warnings", warnings}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace relievo

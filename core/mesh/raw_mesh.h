@@ -1,0 +1,46 @@
+// A mesh as a file holds it, and the step from there to a Mesh: what the readers of this folder share.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/mesh/mesh.h"
+#include <span>
+
+namespace relievo {
+
+// Triangles whose corners name a position and perhaps a normal, UV and tangent, each in its own list (as OBJ does).
+struct RawMesh {
+    static constexpr std::uint32_t kNone = ~std::uint32_t(0);
+    struct Corner {
+        std::uint32_t position = kNone, normal = kNone, uv = kNone, tangent = kNone;
+    };
+
+    std::string name;
+    std::vector<glm::vec3> positions, normals; // m; normals of any length
+    std::vector<glm::vec2> uvs; // v runs down already
+    std::vector<glm::vec4> tangents; // as glTF's
+    std::vector<Corner> corners; // triples; every index lies within its list
+    std::vector<MeshPart> parts; // firstIndex and indexCount count corners, in order and without gaps
+    Warnings warnings;
+    // Made normals are averaged over neighbouring triangles that meet at less than this angle.
+    float creaseDegrees = 50.f;
+    // Whether a position that no triangle uses is a vertex of the file (in OBJ it is only a number to refer to).
+    bool countsUnused = false;
+
+    void warn(std::string code, std::string text) { warnings.push_back({std::move(code), std::move(text)}); }
+};
+
+// Appends the triangles of a polygon: a fan where it is convex, else ears are cut. Polygons of fewer than three corners add nothing.
+void addPolygon(RawMesh& raw, std::span<const RawMesh::Corner> polygon);
+
+// Drops what is not finite, makes missing normals and UVs, joins equal corners, computes frames; each told in `warnings`.
+// where: the file, for errors.
+Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& progress);
+
+// Readers by format. Errors name the file and the cure. Allocation stays in proportion to the size of the file.
+Expected<RawMesh> readGltf(const std::filesystem::path& file, const Progress& progress);
+Expected<RawMesh> readObj(const std::filesystem::path& file, const Progress& progress);
+Expected<RawMesh> readPly(const std::filesystem::path& file, const Progress& progress);
+Expected<RawMesh> readStl(const std::filesystem::path& file, const Progress& progress);
+Expected<RawMesh> readOff(const std::filesystem::path& file, const Progress& progress);
+
+} // namespace relievo

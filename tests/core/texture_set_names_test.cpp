@@ -1,0 +1,159 @@
+// File names of the usual sources, and what they mean.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/file_names.h"
+#include "core/image/set_groups.h"
+#include <algorithm>
+#include <gtest/gtest.h>
+
+using namespace relievo;
+
+namespace {
+struct NameCase {
+    const char* name;
+    const char* roles; // "kind" or "kind:channel", "" for none; packed ones in order
+    const char* stem;
+    Convention convention = Convention::Unsure;
+};
+
+std::string rolesText(const NameGuess& guess)
+{
+    std::string text;
+    for (const MapRole& role : guess.roles) {
+        text += (text.empty() ? "" : " ") + std::string(row(role.kind).key);
+        if (role.channel != Channel::Rgb)
+            text += ":" + std::string(kChannelKeys[std::size_t(role.channel)]);
+    }
+    return text;
+}
+
+constexpr Convention kH = Convention::Height, kD = Convention::Depth, kGl = Convention::GL, kDx = Convention::DX;
+constexpr NameCase kNames[] = {
+    // ambientCG
+    {"Bricks076C_1K-JPG_Color", "color", "bricks076c"},
+    {"Bricks076C_1K-JPG_NormalGL", "normal", "bricks076c", kGl},
+    {"Bricks076C_1K-JPG_NormalDX", "normal", "bricks076c", kDx},
+    {"Bricks076C_1K-JPG_Displacement", "height", "bricks076c", kH},
+    {"Bricks076C_1K-JPG_AmbientOcclusion", "ao", "bricks076c"},
+    {"Bricks076C_1K-JPG_Roughness", "roughness", "bricks076c"},
+    {"Metal032_2K_Metalness", "metallic", "metal032"},
+    {"Leaf001_4K_Opacity", "opacity", "leaf001"},
+    {"Bricks076C", "", "bricks076c"},
+    // Poly Haven
+    {"brick_wall_001_diff_2k", "color", "brick_wall_001"},
+    {"brick_wall_001_diffuse_4k", "color", "brick_wall_001"},
+    {"brick_wall_001_nor_gl_2k", "normal", "brick_wall_001", kGl},
+    {"brick_wall_001_nor_dx_2k", "normal", "brick_wall_001", kDx},
+    {"brick_wall_001_disp_2k", "height", "brick_wall_001", kH},
+    {"brick_wall_001_rough_2k", "roughness", "brick_wall_001"},
+    {"brick_wall_001_arm_2k", "ao:r roughness:g metallic:b", "brick_wall_001"},
+    {"brick_wall_001_ao_2k", "ao", "brick_wall_001"},
+    {"brick_wall_001_spec_2k", "specular", "brick_wall_001"},
+    {"coast_sand_rocks_02_col_01_1k", "color", "coast_sand_rocks_02_01"},
+    // Substance
+    {"Wood_Base_Color", "color", "wood"},
+    {"Wood_BaseColor", "color", "wood"},
+    {"Wood_Normal_OpenGL", "normal", "wood", kGl},
+    {"Wood_NormalDirectX", "normal", "wood", kDx},
+    {"Wood_Mixed_AO", "ao", "wood"},
+    {"Wood_OcclusionRoughnessMetallic", "ao:r roughness:g metallic:b", "wood"},
+    {"Wood_Height", "height", "wood", kH},
+    {"Wood_Metallic", "metallic", "wood"},
+    {"Wood_Emissive", "emission", "wood"},
+    {"Wood_BaseColor_1001", "color", "wood_1001"},
+    // Quixel
+    {"tdchbhp_2K_Albedo", "color", "tdchbhp"},
+    {"tdchbhp_2K_Displacement", "height", "tdchbhp", kH},
+    {"tdchbhp_2K_Bump", "height", "tdchbhp", kH},
+    {"tdchbhp_2K_Normal_LOD0", "normal", "tdchbhp"},
+    {"tdchbhp_8K_Gloss", "gloss", "tdchbhp"},
+    {"tdchbhp_2K_Cavity", "", "tdchbhp_cavity"},
+    // FreePBR
+    {"rocky-dirt1-albedo", "color", "rocky_dirt1"},
+    {"rocky-dirt1-normal-ogl", "normal", "rocky_dirt1", kGl},
+    {"rocky-dirt1-normal-dx", "normal", "rocky_dirt1", kDx},
+    {"rocky-dirt1_Normal-dx", "normal", "rocky_dirt1", kDx},
+    {"rocky-dirt1-ao", "ao", "rocky_dirt1"},
+    {"rocky-dirt1-metalness", "metallic", "rocky_dirt1"},
+    // 3D Textures
+    {"Rock_024_baseColor", "color", "rock_024"},
+    {"Rock_024_ambientOcclusion", "ao", "rock_024"},
+    {"Rock_024_NORM", "normal", "rock_024"},
+    {"Rock_024_OCC", "ao", "rock_024"},
+    {"Rock_024_DISP", "height", "rock_024", kH},
+    // cgbookcase
+    {"StoneWall01_2K_Base_Color", "color", "stonewall01"},
+    {"StoneWall01_2K_Ambient_Occlusion", "ao", "stonewall01"},
+    {"StoneWall01_MR_2K_Height_16bit", "height", "stonewall01_mr", kH},
+    // Games and engines
+    {"floor01_n", "normal", "floor01"},
+    {"T_Rock_D", "color", "t_rock"},
+    {"Bricks076C_normheight", "normal height:a", "bricks076c", kH},
+    {"Bricks076C_diffspec", "color specular:a", "bricks076c"},
+    {"ground037_alb_ht", "color height:a", "ground037", kH},
+    {"ground037_nrm_rgh", "normal roughness:a", "ground037"},
+    {"rock_nh", "normal height:a", "rock", kH},
+    {"rock_relief", "normal height:a", "rock"},
+    {"rock_dual", "normal height:a", "rock"},
+    {"Avocado_roughnessMetallic", "roughness:g metallic:b", "avocado"},
+    {"wall_orm", "ao:r roughness:g metallic:b", "wall"},
+    {"wall_rma", "roughness:r metallic:g ao:b", "wall"},
+    // Single words, spaces, dots, case
+    {"height", "height", "", kH},
+    {"DEPTH", "height", "", kD},
+    {"texture_bricks_depth", "height", "texture_bricks", kD},
+    {"plain_heightmap", "height", "plain", kH},
+    {"heightfield", "height", "", kH},
+    {"jacksboro_fault_dem_u16", "height", "jacksboro_fault", kH},
+    {"old wall normal map", "normal", "old wall"},
+    {"old.wall.roughness", "roughness", "old_wall"},
+    {"wall normal 4096x4096", "normal", "wall"},
+    {"normal_bricks", "normal", "bricks"},
+    {"texture_bricks", "", "texture_bricks"},
+    {"metal_plate_07", "", "metal_plate_07"},
+    {"grass", "", "grass"},
+    {"", "", ""},
+};
+} // namespace
+
+TEST(TextureSetNames, Table)
+{
+    for (const NameCase& one : kNames) {
+        const NameGuess guess = guessFromName(one.name);
+        EXPECT_EQ(rolesText(guess), one.roles) << one.name;
+        std::string stem = guess.stem;
+        std::ranges::replace(stem, '_', ' ');
+        std::string wanted = one.stem;
+        std::ranges::replace(wanted, '_', ' ');
+        EXPECT_EQ(stem, wanted) << one.name;
+        EXPECT_EQ(guess.convention, one.convention) << one.name;
+    }
+}
+
+TEST(TextureSetNames, OneLetterIsWeak)
+{
+    EXPECT_TRUE(guessFromName("floor_n").weak);
+    EXPECT_FALSE(guessFromName("floor_nor").weak);
+}
+
+TEST(TextureSetNames, OneLetterNeedsASibling)
+{
+    const std::vector<std::filesystem::path> alone = {"vitamin_d.png"}, pair = {"floor_d.png", "floor_n.png"};
+    EXPECT_EQ(groupFiles(alone)[0].kinds(), 0);
+    EXPECT_EQ(groupFiles(pair)[0].kinds(), 2);
+}
+
+TEST(TextureSetNames, NearlyEqualStemsAreOneSet)
+{
+    const std::vector<std::filesystem::path> files = {"floor01_h.png", "floor01_n.png", "floor01a_d.png", "rock1_h.png", "rock12_d.png"};
+    const std::vector<FileGroup> groups = groupFiles(files);
+    EXPECT_EQ(groups[0].stem, "floor01");
+    EXPECT_EQ(groups[0].kinds(), 3);
+    EXPECT_EQ(groups[1].kinds(), 0);
+}
+
+TEST(TextureSetNames, MapKindsAreFoundByKey)
+{
+    EXPECT_EQ(findMapKind("ao"), MapKind::AmbientOcclusion);
+    EXPECT_FALSE(findMapKind("aoo"));
+}
