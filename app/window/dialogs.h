@@ -1,0 +1,26 @@
+// File choosers, none of which blocks the window's event loop, and the kinds of file that they offer.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QString>
+#include <functional>
+
+class QWidget;
+
+namespace relievo
+{
+
+enum class FileKind { Source, Project, Image, Mesh, Panorama, Folder };
+
+// Whether the suffix of `file` is one of the kind's.
+bool fits(FileKind kind, const QString& file);
+
+// Opens a chooser in the folder used last for the kind; `then` is called with what was chosen, not at all when nothing was.
+void askForFile(QWidget* parent, const QString& title, FileKind kind, std::function<void(const QString&)> then);
+void askWhereToSave(QWidget* parent, const QString& title, const QString& proposal, const QString& suffix, std::function<void(const QString&)> then);
+
+enum class Answer { Save, Discard, Cancel };
+// The one modal question: unsaved work of `name` is about to be lost.
+void askAboutUnsaved(QWidget* parent, const QString& name, std::function<void(Answer)> then);
+
+} // namespace relievo

@@ -1,0 +1,130 @@
+// The one way in which the window changes what it shows.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/document.h"
+#include "core/state/state_json.h"
+#include <QFileInfo>
+#include <QUndoCommand>
+
+namespace relievo
+{
+
+Changes differences(const State& a, const State& b)
+{
+    Changes what;
+    what.setFlag(Change::Name, a.name != b.name);
+    what.setFlag(Change::Parameters, a.parameters != b.parameters);
+    what.setFlag(Change::Maps, a.slots != b.slots);
+    what.setFlag(Change::Mesh, a.mesh != b.mesh);
+    what.setFlag(Change::Environment, a.environment != b.environment);
+    what.setFlag(Change::Camera, a.camera != b.camera);
+    what.setFlag(Change::View, a.view != b.view);
+    what.setFlag(Change::Panes, a.panes != b.panes);
+    return what;
+}
+
+// Two whole States; the camera of neither is used, so that undo leaves the eye where it is.
+class Document::Edit : public QUndoCommand
+{
+public:
+    Edit(Document& document, State after, const QString& text)
+        : QUndoCommand(text), m_document(document), m_before(document.m_state), m_after(std::move(after)), m_gesture(document.m_gesture)
+    {
+    }
+    int id() const override { return 1; }
+    void undo() override { show(m_before); }
+    void redo() override { show(m_after); }
+    bool mergeWith(const QUndoCommand* next) override
+    {
+        const auto* other = static_cast<const Edit*>(next);
+        if (other->m_gesture != m_gesture || other->text() != text())
+            return false;
+        m_after = other->m_after;
+        setObsolete(!(differences(m_before, m_after) & ~Changes(Change::Camera)));
+        return true;
+    }
+
+private:
+    void show(State state)
+    {
+        state.camera = m_document.m_state.camera;
+        m_document.replace(state);
+    }
+    Document& m_document;
+    State m_before, m_after;
+    int m_gesture;
+};
+
+Document::Document(QObject* parent)
+    : QObject(parent)
+{
+    connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+void Document::edit(const QString& text, const std::function<void(State&)>& change)
+{
+    State after = m_state;
+    change(after);
+    const Changes what = differences(m_state, after);
+    if (what & Change::Camera) {
+        State moved = m_state;
+        moved.camera = after.camera;
+        replace(moved);
+    }
+    if (!(what & ~Changes(Change::Camera)))
+        return;
+    m_undo.push(new Edit(*this, std::move(after), text));
+    if (!inGesture())
+        ++m_gesture;
+}
+
+void Document::beginGesture()
+{
+    if (m_depth++ == 0)
+        ++m_gesture;
+}
+
+void Document::endGesture()
+{
+    if (m_depth == 0 || --m_depth > 0)
+        return;
+    ++m_gesture;
+    Q_EMIT gestureEnded();
+}
+
+void Document::start(const State& state, const QString& file)
+{
+    m_undo.clear();
+    m_file = file;
+    ++m_gesture;
+    replace(state);
+    Q_EMIT titleChanged();
+}
+
+Expected<void> Document::save(const QString& file)
+{
+    if (Expected<void> written = writeState(m_state, file.toStdString()); !written)
+        return written;
+    m_file = file;
+    m_undo.setClean();
+    ++m_gesture;
+    Q_EMIT titleChanged();
+    return {};
+}
+
+QString Document::name() const
+{
+    return m_file.isEmpty() ? QString::fromStdString(m_state.name) : QFileInfo(m_file).completeBaseName();
+}
+
+void Document::replace(const State& next)
+{
+    const Changes what = differences(m_state, next);
+    m_state = next;
+    if (what)
+        Q_EMIT changed(what);
+    if (what & Change::Name)
+        Q_EMIT titleChanged();
+}
+
+} // namespace relievo

@@ -1,0 +1,98 @@
+// Reading and writing parameters for one pane or both.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/editing.h"
+#include "core/state/techniques.h"
+#include <algorithm>
+
+namespace relievo
+{
+namespace
+{
+bool inScope(std::size_t pane, Scope scope)
+{
+    return scope == Scope::Both || pane == (scope == Scope::A ? 0u : 1u);
+}
+
+// "KEY=VALUE" of ParameterRow::shown holds in pane `index`; a condition on a hidden parameter does not hold.
+bool holdsIn(const State& state, std::size_t index, const ParameterRow& row)
+{
+    if (row.shown.empty())
+        return true;
+    if (row.shown == "technique") {
+        const TechniqueRow* technique = findTechnique(state.panes[index].technique);
+        return technique && listHas(technique->parameters, row.key);
+    }
+    const std::size_t at = row.shown.find('=');
+    const ParameterRow* other = findParameter(row.shown.substr(0, at));
+    if (!other || !holdsIn(state, index, *other))
+        return false;
+    const Value value = get(effectiveParameters(state, index), *other);
+    const std::string_view wanted = row.shown.substr(at + 1);
+    if (std::holds_alternative<bool>(value))
+        return std::get<bool>(value) == (wanted == "1");
+    return std::holds_alternative<int>(value) && std::to_string(std::get<int>(value)) == wanted;
+}
+} // namespace
+
+Value shownValue(const State& state, const ParameterRow& row, Scope scope)
+{
+    if (scope == Scope::Both)
+        return get(state.parameters, row);
+    return get(effectiveParameters(state, std::min<std::size_t>(scope == Scope::A ? 0 : 1, state.panes.size() - 1)), row);
+}
+
+bool isOverridden(const State& state, const ParameterRow& row, Scope scope)
+{
+    for (std::size_t i = 0; i < state.panes.size(); ++i)
+        if (inScope(i, scope) && state.panes[i].overrides.contains(std::string(row.key)))
+            return true;
+    return false;
+}
+
+void assign(State& state, const ParameterRow& row, const Value& value, Scope scope)
+{
+    if (scope == Scope::Both) {
+        clearOverride(state, row, scope);
+        return set(state.parameters, row, value);
+    }
+    for (std::size_t i = 0; i < state.panes.size(); ++i)
+        if (inScope(i, scope))
+            state.panes[i].overrides.insert_or_assign(std::string(row.key), value);
+}
+
+void clearOverride(State& state, const ParameterRow& row, Scope scope)
+{
+    for (std::size_t i = 0; i < state.panes.size(); ++i)
+        if (inScope(i, scope))
+            state.panes[i].overrides.erase(std::string(row.key));
+}
+
+void reset(State& state, const ParameterRow& row, Scope scope)
+{
+    if (scope == Scope::Both)
+        assign(state, row, get(Parameters{}, row), scope);
+    else
+        clearOverride(state, row, scope);
+}
+
+bool isShown(const State& state, const ParameterRow& row)
+{
+    for (std::size_t i = 0; i < state.panes.size(); ++i)
+        if (holdsIn(state, i, row))
+            return true;
+    return false;
+}
+
+void setPaneCount(State& state, int count)
+{
+    if (count == 2 && state.panes.size() == 1) {
+        Pane second = state.panes.front();
+        second.technique = second.technique == "parallax" ? "relief" : "parallax";
+        state.panes.push_back(second);
+    } else if (count == 1 && state.panes.size() == 2) {
+        state.panes.pop_back();
+    }
+}
+
+} // namespace relievo

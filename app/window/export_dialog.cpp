@@ -1,0 +1,179 @@
+// Exporting from the window.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/export_dialog.h"
+#include "app/window/controls.h"
+#include "app/window/dialogs.h"
+#include "app/window/text.h"
+#include "app/window/theme.h"
+#include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QToolButton>
+
+namespace relievo
+{
+namespace
+{
+constexpr int kSizes[] = {0, 512, 1024, 2048, 4096}; // texels; 0 as the maps are
+
+QLabel* caption(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setProperty("role", "dim");
+    label->setFixedWidth(72);
+    return label;
+}
+
+QString folderOfExports()
+{
+    return QSettings().value("folders/export", QDir::homePath()).toString();
+}
+} // namespace
+
+ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidget* parent)
+    : QDialog(parent), m_document(document), m_assets(assets), m_target(new QComboBox), m_size(new QComboBox), m_help(new QLabel), m_result(new QLabel),
+      m_out(new QLineEdit), m_export(new QPushButton(tr("Export"))), m_progress(new QProgressBar)
+{
+    setWindowTitle(tr("Export"));
+    setObjectName("export");
+    for (const ExportRow& row : kExports)
+        m_target->addItem(qt(row.label));
+    for (int size : kSizes)
+        m_size->addItem(size == 0 ? tr("As the maps are") : tr("%1 texels").arg(size));
+    m_help->setWordWrap(true);
+    m_help->setProperty("role", "dim");
+    m_help->setFont(smallFont());
+    m_out->setMinimumWidth(320);
+    m_out->setFixedHeight(kRowHeight);
+    m_out->setObjectName("out");
+    m_result->setWordWrap(true);
+    m_result->setObjectName("result");
+    m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_result->hide();
+    m_export->setDefault(true);
+    m_export->setObjectName("run");
+    m_progress->setTextVisible(false);
+    m_progress->setRange(0, 1000);
+    m_progress->hide();
+    auto* browseButton = new QToolButton;
+    browseButton->setIcon(icon("folder"));
+    browseButton->setIconSize({16, 16});
+    browseButton->setToolTip(tr("Choose where to"));
+    auto* close = new QPushButton(tr("Close"));
+    close->setAutoDefault(false);
+
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(2 * kGrid);
+    grid->setVerticalSpacing(2 * kGrid);
+    grid->addWidget(caption(tr("Target")), 0, 0);
+    grid->addWidget(m_target, 0, 1, 1, 2);
+    grid->addWidget(m_help, 1, 1, 1, 2);
+    grid->addWidget(caption(tr("Textures")), 2, 0);
+    grid->addWidget(m_size, 2, 1, 1, 2);
+    grid->addWidget(caption(tr("Where to")), 3, 0);
+    grid->addWidget(m_out, 3, 1);
+    grid->addWidget(browseButton, 3, 2);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_progress, 1);
+    buttons->addStretch(1);
+    buttons->addWidget(close);
+    buttons->addWidget(m_export);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(4 * kGrid);
+    layout->addLayout(grid);
+    layout->addWidget(m_result);
+    layout->addStretch(1);
+    layout->addWidget(hairline());
+    layout->addLayout(buttons);
+
+    connect(m_target, &QComboBox::currentIndexChanged, this, &ExportDialog::targetChosen);
+    connect(browseButton, &QToolButton::clicked, this, &ExportDialog::browse);
+    connect(close, &QPushButton::clicked, this, &QDialog::close);
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::run);
+    connect(&m_background, &Background::progressed, this, [this](float share) { m_progress->setValue(int(share * 1000)); });
+    connect(&m_background, &Background::busyChanged, this, [this](bool busy) {
+        m_export->setEnabled(!busy);
+        m_progress->setVisible(busy);
+    });
+    targetChosen();
+}
+
+const ExportRow& ExportDialog::target() const
+{
+    return kExports[std::size_t(m_target->currentIndex())];
+}
+
+QString ExportDialog::proposal() const
+{
+    QString name = m_document.name().toLower();
+    name.replace(' ', '_');
+    return QDir(folderOfExports()).filePath(name + qt(target().suffix));
+}
+
+void ExportDialog::setTarget(int row)
+{
+    m_target->setCurrentIndex(row);
+}
+
+void ExportDialog::setOut(const QString& path)
+{
+    m_out->setText(path);
+}
+
+void ExportDialog::targetChosen()
+{
+    m_help->setText(qt(target().help));
+    m_out->setText(proposal());
+}
+
+void ExportDialog::browse()
+{
+    if (target().suffix.empty())
+        askForFile(this, tr("Export to folder"), FileKind::Folder, [this](const QString& folder) { setOut(folder); });
+    else
+        askWhereToSave(this, tr("Export to"), m_out->text(), qt(target().suffix).mid(1), [this](const QString& file) { setOut(file); });
+}
+
+void ExportDialog::run()
+{
+    if (!m_assets.ready() || busy())
+        return;
+    const QString out = m_out->text().trimmed();
+    if (out.isEmpty())
+        return tell(failure(tr("Where to").toStdString(), "no file is named", "Name one"));
+    QSettings().setValue("folders/export", QFileInfo(out).absolutePath());
+    const int size = kSizes[m_size->currentIndex()];
+    m_background.start([this, row = target(), state = m_document.state(), resources = m_assets.resources(), out, size](const Progress& progress) -> Background::Then {
+        const auto result = row.run(ExportJob{state, resources, out.toStdString(), size, progress});
+        return [this, result] { tell(result); };
+    });
+}
+
+void ExportDialog::tell(const Expected<Exported>& result)
+{
+    QStringList lines;
+    if (result) {
+        lines << tr("Written:");
+        for (const auto& file : result->files)
+            lines << QString::fromUtf8("\u2003") + QString::fromStdString(file.string());
+        for (const Warning& warning : result->warnings)
+            lines << tr("Note: %1").arg(QString::fromStdString(warning.text));
+    } else {
+        lines << QString::fromStdString(message(result.error()));
+    }
+    setRole(*m_result, result ? "" : "warning");
+    m_result->setText(lines.join('\n'));
+    m_result->show();
+    adjustSize();
+    Q_EMIT finished(result.has_value());
+}
+
+} // namespace relievo

@@ -1,0 +1,50 @@
+// The export dialog: a target of the export table, where to and how large; it works in the background and says what it wrote.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "app/window/assets.h"
+#include "core/exporters/exporters.h"
+#include <QDialog>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace relievo
+{
+
+// Not modal: the picture can be changed meanwhile; what is exported is the document as it was when the button was pressed.
+class ExportDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    ExportDialog(const Document& document, const Assets& assets, QWidget* parent = nullptr);
+    void setTarget(int row); // of kExports
+    void setOut(const QString& path);
+    bool busy() const { return m_background.busy(); }
+
+public Q_SLOTS:
+    void run();
+
+Q_SIGNALS:
+    void finished(bool well);
+
+private:
+    const ExportRow& target() const;
+    QString proposal() const;
+    void targetChosen();
+    void browse();
+    void tell(const Expected<Exported>& result);
+    const Document& m_document;
+    const Assets& m_assets;
+    Background m_background;
+    QComboBox *m_target, *m_size;
+    QLabel *m_help, *m_result;
+    QLineEdit* m_out;
+    QPushButton* m_export;
+    QProgressBar* m_progress;
+};
+
+} // namespace relievo

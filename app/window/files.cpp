@@ -1,0 +1,108 @@
+// Opening, saving and asking before work is lost.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/files.h"
+#include "app/window/dialogs.h"
+#include "app/window/recent_files.h"
+#include "app/window/text.h"
+#include "core/image/samples.h"
+#include <QDir>
+#include <QFileInfo>
+#include <QMenu>
+#include <QWidget>
+
+namespace relievo
+{
+
+Files::Files(Document& document, Assets& assets, Messages& messages, QWidget* window)
+    : QObject(window), m_document(document), m_assets(assets), m_messages(messages), m_window(window)
+{
+}
+
+void Files::guard(std::function<void()> then)
+{
+    if (!m_document.isModified())
+        return then();
+    askAboutUnsaved(m_window, m_document.name(), [this, then](Answer answer) {
+        if (answer == Answer::Save)
+            save(then);
+        else if (answer == Answer::Discard)
+            then();
+    });
+}
+
+void Files::startNew()
+{
+    guard([this] { m_assets.openDocument("sample:bricks", State{}); });
+}
+
+void Files::ask()
+{
+    askForFile(m_window, tr("Open"), FileKind::Source, [this](const QString& file) { open(file); });
+}
+
+void Files::askFolder()
+{
+    askForFile(m_window, tr("Open the texture set of a folder"), FileKind::Folder, [this](const QString& folder) { open(folder); });
+}
+
+void Files::open(const QString& source)
+{
+    guard([this, source] { m_assets.openDocument(source); });
+}
+
+void Files::save(std::function<void()> then)
+{
+    if (m_document.file().isEmpty())
+        saveAs(std::move(then));
+    else
+        saveTo(m_document.file(), then);
+}
+
+void Files::saveAs(std::function<void()> then)
+{
+    const QString proposal = m_document.file().isEmpty() ? m_document.name() + ".relievo" : m_document.file();
+    askWhereToSave(m_window, tr("Save the project"), proposal, "relievo", [this, then](const QString& file) { saveTo(file, then); });
+}
+
+void Files::saveTo(const QString& file, const std::function<void()>& then)
+{
+    if (const auto saved = m_document.save(file); !saved)
+        return m_messages.set("save", saved.error());
+    m_messages.clear("save");
+    addRecentFile(QFileInfo(file).absoluteFilePath());
+    if (then)
+        then();
+}
+
+void Files::take(const QString& dropped)
+{
+    if (isMeshFile(dropped.toStdString()))
+        m_assets.propose(tr("Mesh"), [dropped](State& state) { state.mesh = dropped.toStdString(); });
+    else if (isProjectFile(dropped.toStdString()))
+        open(dropped);
+    else
+        m_assets.openInto(dropped);
+}
+
+void Files::fillRecent(QMenu& menu)
+{
+    for (const QString& source : recentFiles()) {
+        QAction* action = menu.addAction(QDir::toNativeSeparators(source));
+        action->setEnabled(QFileInfo::exists(source));
+        connect(action, &QAction::triggered, this, [this, source] { open(source); });
+    }
+    if (menu.isEmpty())
+        menu.addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+void Files::fillSamples(QMenu& menu)
+{
+    for (const SampleRow& row : kSamples) {
+        QAction* action = menu.addAction(qt(row.label));
+        action->setToolTip(qt(row.help));
+        connect(action, &QAction::triggered, this, [this, key = row.key] { m_assets.openInto("sample:" + qt(key)); });
+    }
+}
+
+} // namespace relievo

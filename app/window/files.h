@@ -1,0 +1,43 @@
+// What the File menu and dropped files do to the document.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "app/window/assets.h"
+#include <QObject>
+#include <functional>
+
+class QMenu;
+
+namespace relievo
+{
+
+class Files : public QObject
+{
+    Q_OBJECT
+public:
+    Files(Document& document, Assets& assets, Messages& messages, QWidget* window);
+
+    // `then` runs at once when nothing is unsaved, else after the question, unless it is cancelled or saving fails.
+    void guard(std::function<void()> then);
+
+    void startNew();
+    void ask(); // for a project or image, then opens it
+    void askFolder();
+    void open(const QString& source); // a new document, after the question
+    void save(std::function<void()> then = {}); // asks where to when the document has no file yet
+    void saveAs(std::function<void()> then = {});
+    // A mesh replaces the mesh, a project the document, an image or folder the maps.
+    void take(const QString& dropped);
+
+    void fillRecent(QMenu& menu);
+    void fillSamples(QMenu& menu);
+
+private:
+    void saveTo(const QString& file, const std::function<void()>& then);
+    Document& m_document;
+    Assets& m_assets;
+    Messages& m_messages;
+    QWidget* m_window;
+};
+
+} // namespace relievo

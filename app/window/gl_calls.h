@@ -1,0 +1,17 @@
+// The few OpenGL calls of the window itself, kept apart because Qt's headers and libepoxy's both claim their names.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "render/renderer.h"
+
+namespace relievo
+{
+
+// All need a current context; afterwards the named framebuffer is bound.
+int openGLVersion(); // 41 for 4.1
+void clearTo(unsigned framebuffer, float red, float green, float blue);
+void finishDrawing(); // waits until everything is drawn
+// Scales `from` to the rectangle (x, 0, width, height) of `framebuffer`.
+void copyTo(const Framebuffer& from, unsigned framebuffer, int x, int width, int height);
+
+} // namespace relievo

@@ -1,0 +1,67 @@
+// The editor: `relievo-editor [SOURCE] [--state-json FILE]`. Users start it as `relievo`, which passes the state in a file.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/files.h"
+#include "app/window/main_window.h"
+#include "app/window/theme.h"
+#include "core/state/state_json.h"
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSurfaceFormat>
+#include <cstdio>
+
+namespace
+{
+using namespace relievo;
+
+// Without a SOURCE the maps of the state are shown, and without those the built-in bricks.
+void open(MainWindow& window, const QString& source, const std::optional<StateRead>& given)
+{
+    const bool hasMaps = given && given->state.slots != MapSlots{};
+    if (source.isEmpty() && hasMaps)
+        return window.assets().openState(given->state, given->warnings);
+    const State base = given ? given->state : State{};
+    window.assets().openDocument(source.isEmpty() ? "sample:bricks" : source, base);
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QCoreApplication::setOrganizationName("relievo");
+    QCoreApplication::setApplicationName("Relievo");
+    QCoreApplication::setApplicationVersion(RELIEVO_VERSION);
+    QSurfaceFormat format;
+    format.setVersion(4, 1);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription("Relievo, an editor for relief materials.");
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument("SOURCE", "A project, a folder with a texture set, an image, or sample:KEY.", "[SOURCE]");
+    parser.addOption({"state-json", "The state to begin with; it counts as new and untitled.", "FILE"});
+    parser.process(application);
+    const QStringList sources = parser.positionalArguments();
+    std::optional<StateRead> given;
+    if (parser.isSet("state-json")) {
+        auto read = readState(State{}, parser.value("state-json").toStdString());
+        if (!read) {
+            std::fprintf(stderr, "relievo: error: %s\n", message(read.error()).c_str());
+            return 1;
+        }
+        given = std::move(*read);
+    }
+    if (sources.size() > 1) {
+        std::fprintf(stderr, "relievo: error: %s: only one SOURCE can be opened. Drop the others.\n", sources[1].toUtf8().constData());
+        return 2;
+    }
+
+    applyLook(application, savedLook());
+    MainWindow window;
+    window.show();
+    open(window, sources.value(0), given);
+    return QApplication::exec();
+}

@@ -1,0 +1,309 @@
+// Putting the window together.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/controls.h"
+#include "app/window/export_dialog.h"
+#include "app/window/files.h"
+#include "app/window/main_window.h"
+#include "app/window/map_panel.h"
+#include "app/window/message_line.h"
+#include "app/window/parameter_panel.h"
+#include "app/window/technique_bar.h"
+#include "app/window/text.h"
+#include "app/window/theme.h"
+#include "app/window/viewport.h"
+#include "core/state/views.h"
+#include <QApplication>
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QShortcut>
+#include <QSplitter>
+#include <QToolButton>
+
+namespace relievo
+{
+namespace
+{
+constexpr int kMapWidth = 264, kParameterWidth = 348; // px
+}
+
+MainWindow::MainWindow()
+    : m_assets(m_document, m_messages), m_files(new Files(m_document, m_assets, m_messages, this)),
+      m_viewport(new Viewport(m_document, m_assets, m_messages)), m_maps(new MapPanel(m_document, m_assets)),
+      m_parameters(new ParameterPanel(m_document)), m_techniques(new TechniqueBar), m_view(new QComboBox),
+      m_line(new MessageLine(m_messages, m_assets.background())), m_splitter(new QSplitter)
+{
+    setAcceptDrops(true);
+    m_splitter->setHandleWidth(1);
+    m_splitter->setChildrenCollapsible(false);
+    for (QWidget* part : {static_cast<QWidget*>(m_maps), static_cast<QWidget*>(m_viewport), static_cast<QWidget*>(m_parameters)})
+        m_splitter->addWidget(part);
+    m_maps->setMinimumWidth(232);
+    m_parameters->setMinimumWidth(300);
+    m_splitter->setStretchFactor(1, 1);
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(hairline());
+    layout->addWidget(m_splitter, 1);
+    layout->addWidget(m_line);
+    setCentralWidget(page);
+    setMenuWidget(makeTopBar());
+    addTableMenus();
+    addKeys();
+    connectAll();
+    restoreLayout();
+    documentChanged(Changes(Change::Panes) | Change::View);
+    updateTitle();
+}
+
+MainWindow::~MainWindow()
+{
+    delete m_splitter; // the panels look at the document, which goes first otherwise
+}
+
+QWidget* MainWindow::makeTopBar()
+{
+    auto* top = new QWidget;
+    auto* bar = new QMenuBar;
+    bar->setObjectName("menu");
+    bar->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    m_actions = makeActions(this, bar, handlers());
+    auto* samples = new QToolButton;
+    samples->setIcon(icon("sample"));
+    samples->setIconSize({16, 16});
+    samples->setFixedSize(28, 28);
+    samples->setPopupMode(QToolButton::InstantPopup);
+    samples->setToolTip(tr("Built-in materials"));
+    auto* sampleMenu = new QMenu(samples);
+    m_files->fillSamples(*sampleMenu);
+    samples->setMenu(sampleMenu);
+
+    const auto dim = [](const QString& text) {
+        auto* label = new QLabel(text);
+        label->setProperty("role", "dim");
+        return label;
+    };
+    const auto ruler = [] {
+        auto* rule = upright();
+        rule->setFixedHeight(20);
+        return rule;
+    };
+    for (const ViewRow& row : kViews)
+        m_view->addItem(qt(row.label), qt(row.key));
+    m_view->setObjectName("view");
+    auto* line = new QHBoxLayout(top);
+    line->setContentsMargins(8, 4, 8, 4);
+    line->setSpacing(2 * kGrid);
+    line->addWidget(bar);
+    line->addWidget(ruler());
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(2);
+    buttons->addWidget(samples);
+    for (const char* key : {"open", "save", "undo", "redo", "export"})
+        buttons->addWidget(toolButton(m_actions[key]));
+    line->addLayout(buttons);
+    line->addWidget(ruler());
+    line->addWidget(dim(tr("Technique")));
+    line->addWidget(m_techniques, 1);
+    line->addWidget(dim(tr("View")));
+    line->addWidget(m_view);
+    for (const char* key : {"wireframe", "two-panes", "frame", "panels"})
+        line->addWidget(toolButton(m_actions[key]));
+    return top;
+}
+
+Handlers MainWindow::handlers()
+{
+    const auto parameter = [this](const char* key, bool on) {
+        const ParameterRow& row = *findParameter(key);
+        m_document.edit(qt(row.label), [&](State& state) { assign(state, row, on, Scope::Both); });
+    };
+    return {
+        {"new", [this](bool) { m_files->startNew(); }},
+        {"open", [this](bool) { m_files->ask(); }},
+        {"open-folder", [this](bool) { m_files->askFolder(); }},
+        {"save", [this](bool) { m_files->save(); }},
+        {"save-as", [this](bool) { m_files->saveAs(); }},
+        {"export", [this](bool) { showExport(); }},
+        {"quit", [this](bool) { close(); }},
+        {"undo", [this](bool) { m_document.undoStack().undo(); }},
+        {"redo", [this](bool) { m_document.undoStack().redo(); }},
+        {"copy-picture", [this](bool) { QApplication::clipboard()->setImage(m_viewport->picture()); }},
+        {"copy-camera", [this](bool) { QApplication::clipboard()->setText(QString::fromStdString(toText(m_document.state().camera))); }},
+        {"paste-camera", [this](bool) { pasteCamera(); }},
+        {"wireframe", [parameter](bool on) { parameter("wireframe", on); }},
+        {"two-panes", [this](bool on) { m_document.edit(on ? tr("Two pictures") : tr("One picture"), [&](State& state) { setPaneCount(state, on ? 2 : 1); }); }},
+        {"frame", [this](bool) { m_document.edit({}, [](State& state) { state.camera = framed(state.camera); }); }},
+        {"reset-camera", [this](bool) { m_document.edit({}, [](State& state) { state.camera = Camera{}; }); }},
+        {"light-theme",
+            [](bool on) {
+                saveLook(on ? Look::Light : Look::Dark);
+                applyLook(*qApp, savedLook());
+            }},
+        {"panels",
+            [this](bool on) {
+                m_maps->setVisible(on);
+                m_parameters->setVisible(on);
+            }},
+        {"shortcuts", [this](bool) { showShortcuts(this); }},
+        {"about", [this](bool) { showAbout(this); }},
+    };
+}
+
+// Rows of other tables in the menus.
+void MainWindow::addTableMenus()
+{
+    auto* bar = menuWidget()->findChild<QMenuBar*>("menu");
+    QMenu* file = menuOf(bar, "File");
+    lazyMenu(file, m_actions["save"], tr("Open recent"), [this](QMenu& menu) { m_files->fillRecent(menu); });
+    lazyMenu(file, m_actions["save"], tr("Built-in materials"), [this](QMenu& menu) { m_files->fillSamples(menu); });
+    QMenu* view = menuOf(bar, "View");
+    QAction* first = view->actions().front();
+    lazyMenu(view, first, tr("Technique"), [this](QMenu& menu) {
+        for (int i = 0; i < m_techniques->rows().size(); ++i) {
+            const TechniqueRow& row = *m_techniques->rows()[i];
+            QAction* action = menu.addAction(qt(row.label), this, [this, &row] { setTechnique(row.key); });
+            action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)));
+        }
+    });
+    lazyMenu(view, first, tr("Show"), [this](QMenu& menu) {
+        for (std::size_t i = 0; i < kViews.size(); ++i)
+            menu.addAction(qt(kViews[i].label), this, [this, i] { setView(kViews[i].key); })->setShortcut(QKeySequence(Qt::Key(Qt::Key_1 + int(i))));
+    });
+}
+
+// The menus above are filled when they open; their keys work always.
+void MainWindow::addKeys()
+{
+    for (int i = 0; i < m_techniques->rows().size() && i < 9; ++i)
+        connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
+            [this, i] { setTechnique(m_techniques->rows()[i]->key); });
+    for (int i = 0; i < int(kViews.size()) && i < 9; ++i)
+        connect(new QShortcut(QKeySequence(Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
+            [this, i] { setView(kViews[std::size_t(i)].key); });
+}
+
+void MainWindow::connectAll()
+{
+    connect(m_techniques, &TechniqueBar::chosen, this, [this](const TechniqueRow& row) { setTechnique(row.key); });
+    connect(m_view, &QComboBox::activated, this, [this](int index) { setView(kViews[std::size_t(index)].key); });
+    connect(m_viewport, &Viewport::activePaneChanged, this, [this] { documentChanged(Change::Panes); });
+    connect(m_parameters, &ParameterPanel::scopeChanged, this, [this](Scope scope) {
+        if (scope != Scope::Both)
+            m_viewport->setActivePane(scope == Scope::A ? 0 : 1);
+    });
+    connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
+    connect(&m_document, &Document::titleChanged, this, &MainWindow::updateTitle);
+    QUndoStack& undo = m_document.undoStack();
+    const auto tell = [](QAction* action, const QString& verb, bool can, const QString& text) {
+        action->setEnabled(can);
+        action->setText(text.isEmpty() ? verb : verb + ' ' + text);
+    };
+    const auto update = [this, &undo, tell] {
+        tell(m_actions["undo"], tr("Undo"), undo.canUndo(), undo.undoText());
+        tell(m_actions["redo"], tr("Redo"), undo.canRedo(), undo.redoText());
+    };
+    connect(&undo, &QUndoStack::indexChanged, this, update);
+    update();
+}
+
+void MainWindow::documentChanged(Changes what)
+{
+    const State& state = m_document.state();
+    if (what & Change::Panes)
+        m_techniques->show(state.panes[std::size_t(std::min<int>(m_viewport->activePane(), int(state.panes.size()) - 1))].technique);
+    if (what & Change::View)
+        m_view->setCurrentIndex(m_view->findData(QString::fromStdString(state.view)));
+    m_actions["two-panes"]->setChecked(state.panes.size() > 1);
+    m_actions["wireframe"]->setChecked(state.parameters.wireframe);
+}
+
+void MainWindow::updateTitle()
+{
+    setWindowTitle(QString::fromUtf8("%1[*] \u2013 Relievo").arg(m_document.name()));
+    setWindowModified(m_document.isModified());
+}
+
+void MainWindow::setTechnique(std::string_view key)
+{
+    const std::size_t pane = std::size_t(m_viewport->activePane());
+    m_document.edit(tr("Technique %1").arg(qt(findTechnique(key)->label)), [&](State& state) { state.panes[pane].technique = key; });
+}
+
+void MainWindow::setView(std::string_view key)
+{
+    m_document.edit(tr("View %1").arg(qt(findView(key)->label)), [&](State& state) { state.view = key; });
+}
+
+void MainWindow::showExport()
+{
+    if (!m_export)
+        m_export = new ExportDialog(m_document, m_assets, this);
+    m_export->show();
+    m_export->raise();
+}
+
+void MainWindow::pasteCamera()
+{
+    const std::string text = QApplication::clipboard()->text().trimmed().toStdString();
+    Camera camera = m_document.state().camera;
+    if (const auto read = setCamera(camera, text); !read)
+        return m_messages.set("camera", read.error());
+    m_messages.clear("camera");
+    m_document.edit({}, [&](State& state) { state.camera = camera; });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!m_closing && m_document.isModified()) {
+        event->ignore();
+        return m_files->guard([this] {
+            m_closing = true;
+            close();
+        });
+    }
+    saveLayout();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    const auto urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    event->acceptProposedAction();
+    m_files->take(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::restoreLayout()
+{
+    const QSettings settings;
+    resize(1280, 800);
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    if (!m_splitter->restoreState(settings.value("window/splitter").toByteArray()))
+        m_splitter->setSizes({kMapWidth, width() - kMapWidth - kParameterWidth, kParameterWidth});
+    m_actions["panels"]->setChecked(true);
+    m_actions["light-theme"]->setChecked(savedLook() == Look::Light);
+}
+
+void MainWindow::saveLayout() const
+{
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/splitter", m_splitter->saveState());
+}
+
+} // namespace relievo

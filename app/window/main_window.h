@@ -1,0 +1,78 @@
+// The main window: the picture between its panels, menus above, messages below.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "app/window/assets.h"
+#include "app/window/menus.h"
+#include <QMainWindow>
+
+class QComboBox;
+class QSplitter;
+
+namespace relievo
+{
+
+class ExportDialog;
+class Files;
+class MapPanel;
+class MessageLine;
+class ParameterPanel;
+class TechniqueBar;
+class Viewport;
+
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+public:
+    MainWindow();
+    ~MainWindow() override;
+
+    Document& document() { return m_document; }
+    Assets& assets() { return m_assets; }
+    Messages& messages() { return m_messages; }
+    Files& files() { return *m_files; }
+    Viewport& viewport() { return *m_viewport; }
+    MapPanel& maps() { return *m_maps; }
+    ParameterPanel& parameters() { return *m_parameters; }
+    TechniqueBar& techniques() { return *m_techniques; }
+    MessageLine& messageLine() { return *m_line; }
+    QAction* action(const QString& key) const { return m_actions.value(key); } // of kActions
+
+    void setTechnique(std::string_view key); // of the active pane
+    void setView(std::string_view key);
+
+protected:
+    void closeEvent(QCloseEvent*) override;
+    void dragEnterEvent(QDragEnterEvent*) override;
+    void dropEvent(QDropEvent*) override;
+
+private:
+    Handlers handlers();
+    QWidget* makeTopBar();
+    void addTableMenus();
+    void addKeys();
+    void connectAll();
+    void documentChanged(Changes what);
+    void updateTitle();
+    void showExport();
+    void pasteCamera();
+    void restoreLayout();
+    void saveLayout() const;
+
+    Document m_document;
+    Messages m_messages;
+    Assets m_assets;
+    Files* m_files;
+    Viewport* m_viewport;
+    MapPanel* m_maps;
+    ParameterPanel* m_parameters;
+    TechniqueBar* m_techniques;
+    QComboBox* m_view;
+    MessageLine* m_line;
+    QSplitter* m_splitter;
+    ExportDialog* m_export = nullptr;
+    Actions m_actions;
+    bool m_closing = false; // the question has been answered
+};
+
+} // namespace relievo

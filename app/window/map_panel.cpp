@@ -1,0 +1,223 @@
+// Assigning maps, mesh and environment.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/map_panel.h"
+#include "app/window/controls.h"
+#include "app/window/dialogs.h"
+#include "app/window/map_row.h"
+#include "app/window/text.h"
+#include "app/window/theme.h"
+#include "core/image/samples.h"
+#include <QDir>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace relievo
+{
+namespace
+{
+QToolButton* lineButton(const char* picture, const QString& tip)
+{
+    auto* button = new QToolButton;
+    button->setIcon(icon(picture));
+    button->setIconSize({16, 16});
+    button->setFixedSize(24, 24);
+    button->setToolTip(tip);
+    return button;
+}
+
+QLabel* factsLabel()
+{
+    auto* label = new QLabel;
+    label->setFont(smallFont());
+    label->setProperty("role", "dim");
+    label->setWordWrap(true);
+    return label;
+}
+
+QString meshFacts(const Mesh& mesh)
+{
+    const glm::vec3 size = mesh.boundsMax - mesh.boundsMin;
+    return QObject::tr("%L1 triangles   %2 \u00d7 %3 \u00d7 %4 m")
+        .arg(mesh.indices.size() / 3)
+        .arg(double(size.x), 0, 'g', 3)
+        .arg(double(size.y), 0, 'g', 3)
+        .arg(double(size.z), 0, 'g', 3);
+}
+} // namespace
+
+MapPanel::MapPanel(Document& document, Assets& assets, QWidget* parent)
+    : QWidget(parent), m_document(document), m_assets(assets)
+{
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* maps = new Section(tr("Maps"));
+    auto* mesh = new Section(tr("Mesh"));
+    auto* environment = new Section(tr("Environment"));
+    addMaps(*maps);
+    addMesh(*mesh);
+    addEnvironment(*environment);
+    for (Section* section : {maps, mesh, environment})
+        column->addWidget(section);
+    column->addStretch(1);
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
+    connect(&assets, &Assets::resourcesChanged, this, &MapPanel::refresh);
+    connect(&document, &Document::changed, this, [this](Changes what) {
+        if (what & (Changes(Change::Maps) | Change::Mesh | Change::Environment))
+            refresh();
+    });
+    refresh();
+}
+
+void MapPanel::addMaps(Section& section)
+{
+    section.body()->setContentsMargins(0, 0, 0, 4);
+    section.body()->setSpacing(0);
+    for (const MapKindRow& kind : kMapKinds) {
+        auto* line = new MapRow(kind);
+        section.body()->addWidget(line);
+        m_rows.append(line);
+        connect(line, &MapRow::assignWanted, this, [this, &kind] {
+            askForFile(this, tr("%1 map").arg(qt(kind.label)), FileKind::Image, [this, &kind](const QString& file) { assign(kind.kind, file); });
+        });
+        connect(line, &MapRow::locateWanted, this, [this, &kind] {
+            askForFile(this, tr("Locate the %1 map").arg(qt(kind.label)), FileKind::Image,
+                [this, &kind](const QString& file) { locate(kind.kind, file); });
+        });
+        connect(line, &MapRow::dropped, this, [this, &kind](const QString& file) { assign(kind.kind, file); });
+        connect(line, &MapRow::cleared, this, [this, &kind] { assign(kind.kind, {}); });
+        connect(line, &MapRow::inverted, this, [this, &kind](bool on) {
+            m_assets.propose(kind.kind == MapKind::Normal ? tr("Flip green") : tr("Invert %1").arg(qt(kind.label)),
+                [&kind, on](State& state) { state.slots[std::size_t(kind.kind)].invert = on; });
+        });
+        connect(line, &MapRow::channelChosen, this, [this, &kind](Channel channel) {
+            m_assets.propose(tr("Channel of %1").arg(qt(kind.label)),
+                [&kind, channel](State& state) { state.slots[std::size_t(kind.kind)].channel = channel; });
+        });
+    }
+}
+
+void MapPanel::addMesh(Section& section)
+{
+    QVector<Segmented::Item> shapes;
+    for (std::string_view shape : kShapes)
+        shapes.append({{}, qt(shape).replace(0, 1, qt(shape).left(1).toUpper()), icon(shape)});
+    m_shapes = new Segmented(shapes);
+    m_shapes->setObjectName("shapes");
+    auto* open = lineButton("mesh", tr("Open a mesh: glTF, OBJ, PLY, STL, OFF"));
+    auto* line = new QHBoxLayout;
+    line->addWidget(m_shapes);
+    line->addStretch(1);
+    line->addWidget(open);
+    section.body()->addLayout(line);
+    section.body()->addWidget(m_meshFacts = factsLabel());
+    connect(m_shapes, &Segmented::chosen, this, [this](int index) { setMesh(qt(kShapes[std::size_t(index)])); });
+    connect(open, &QToolButton::clicked, this,
+        [this] { askForFile(this, tr("Open a mesh"), FileKind::Mesh, [this](const QString& file) { setMesh(file); }); });
+}
+
+void MapPanel::addEnvironment(Section& section)
+{
+    section.setObjectName("environment");
+    section.setAcceptDrops(true);
+    section.installEventFilter(this);
+    auto* line = new QHBoxLayout;
+    m_environmentName = new QLabel;
+    auto* open = lineButton("open", tr("Open a panorama: HDR or EXR"));
+    m_studio = lineButton("reset", tr("Back to the built-in studio"));
+    line->addWidget(m_environmentName, 1);
+    line->addWidget(m_studio);
+    line->addWidget(open);
+    section.body()->addLayout(line);
+    connect(m_studio, &QToolButton::clicked, this, [this] { setEnvironment("studio"); });
+    connect(open, &QToolButton::clicked, this,
+        [this] { askForFile(this, tr("Open a panorama"), FileKind::Panorama, [this](const QString& file) { setEnvironment(file); }); });
+}
+
+void MapPanel::assign(MapKind kind, const QString& file)
+{
+    const QString name = qt(row(kind).label);
+    const QString path = file.isEmpty() ? QString() : QFileInfo(file).absoluteFilePath();
+    m_assets.propose(path.isEmpty() ? tr("Clear %1").arg(name) : tr("Assign %1").arg(name), [kind, path](State& state) {
+        MapSlot slot;
+        slot.file = path.toStdString();
+        const QString stem = QFileInfo(path).completeBaseName().toLower();
+        slot.invert = (kind == MapKind::Height && stem.endsWith("depth")) || (kind == MapKind::Normal && (stem.endsWith("dx") || stem.endsWith("directx")));
+        state.slots[std::size_t(kind)] = slot;
+    });
+}
+
+void MapPanel::locate(MapKind kind, const QString& file)
+{
+    const QDir folder = QFileInfo(file).absoluteDir();
+    QVector<std::size_t> lost;
+    for (const MapRow* line : m_rows)
+        if (line->isMissing())
+            lost.append(std::size_t(line->kind().kind));
+    m_assets.propose(tr("Locate maps"), [kind, file, folder, lost](State& state) {
+        for (std::size_t i : lost) {
+            const QString beside = folder.filePath(QFileInfo(QString::fromStdString(state.slots[i].file)).fileName());
+            if (QFileInfo::exists(beside))
+                state.slots[i].file = beside.toStdString();
+        }
+        state.slots[std::size_t(kind)].file = QFileInfo(file).absoluteFilePath().toStdString();
+    });
+}
+
+void MapPanel::setMesh(const QString& nameOrFile)
+{
+    m_assets.propose(tr("Mesh"), [nameOrFile](State& state) { state.mesh = nameOrFile.toStdString(); });
+}
+
+void MapPanel::setEnvironment(const QString& nameOrFile)
+{
+    m_assets.propose(tr("Environment"), [nameOrFile](State& state) { state.environment = nameOrFile.toStdString(); });
+}
+
+void MapPanel::refresh()
+{
+    const State& state = m_document.state();
+    const Resources& loaded = m_assets.resources();
+    for (MapRow* line : m_rows)
+        line->show(state.slots[std::size_t(line->kind().kind)], loaded.material.get());
+    const auto shape = std::find(kShapes.begin(), kShapes.end(), state.mesh);
+    m_shapes->setCurrent(shape == kShapes.end() ? -1 : int(shape - kShapes.begin()));
+    QString facts = loaded.mesh ? meshFacts(*loaded.mesh) : QString();
+    if (shape == kShapes.end())
+        facts.prepend(QFileInfo(QString::fromStdString(state.mesh)).fileName() + '\n');
+    m_meshFacts->setText(facts);
+    const bool studio = state.environment == "studio";
+    m_environmentName->setText(studio ? tr("Studio") : QFileInfo(QString::fromStdString(state.environment)).fileName());
+    m_studio->setVisible(!studio);
+}
+
+// A panorama dropped on the environment; whatever else is left to the window.
+bool MapPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
+        return QWidget::eventFilter(watched, event);
+    auto* drop = static_cast<QDropEvent*>(event);
+    const auto urls = drop->mimeData()->urls();
+    if (urls.size() != 1 || !fits(FileKind::Panorama, urls.front().toLocalFile()))
+        return false;
+    drop->acceptProposedAction();
+    if (event->type() == QEvent::Drop)
+        setEnvironment(urls.front().toLocalFile());
+    return true;
+}
+
+} // namespace relievo

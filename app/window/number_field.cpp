@@ -1,0 +1,71 @@
+// Typing numbers.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/number_field.h"
+#include "app/window/slider_scale.h"
+#include <QKeyEvent>
+#include <QLocale>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+
+namespace relievo
+{
+
+NumberField::NumberField(const ParameterRow& row, QWidget* parent)
+    : QLineEdit(parent), m_row(row)
+{
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    connect(this, &QLineEdit::editingFinished, this, &NumberField::commit);
+}
+
+void NumberField::setValue(double value)
+{
+    m_value = value;
+    setText(numberText(m_row, value));
+    setModified(false);
+}
+
+void NumberField::focusInEvent(QFocusEvent* event)
+{
+    QLineEdit::focusInEvent(event);
+    QTimer::singleShot(0, this, &QLineEdit::selectAll); // after the click has placed its cursor
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape) {
+        setValue(m_value);
+        return clearFocus();
+    }
+    const int step = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
+    if (step == 0)
+        return QLineEdit::keyPressEvent(event);
+    const SliderScale scale = scaleOf(m_row);
+    double next = scale.rounded(scale.value(scale.position(m_value) + step * 0.01), SliderScale::Grain::Normal);
+    if (scale.whole)
+        next = std::clamp(m_value + step, scale.min, scale.max);
+    setValue(next);
+    Q_EMIT entered(next);
+}
+
+void NumberField::commit()
+{
+    if (!isModified())
+        return;
+    bool sound = false;
+    double typed = text().trimmed().replace(',', '.').toDouble(&sound);
+    if (!sound || !std::isfinite(typed))
+        return setValue(m_value);
+    if (std::holds_alternative<int Parameters::*>(m_row.member))
+        typed = std::round(typed);
+    const double allowed = std::clamp(typed, double(m_row.min), double(m_row.max));
+    const bool differs = allowed != m_value;
+    setValue(allowed);
+    if (differs)
+        Q_EMIT entered(allowed);
+    if (allowed != typed)
+        Q_EMIT outOfRange();
+}
+
+} // namespace relievo

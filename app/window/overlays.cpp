@@ -1,0 +1,166 @@
+// Captions, legend and hint, painted over the picture.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/overlays.h"
+#include "app/window/text.h"
+#include "app/window/theme.h"
+#include "core/state/techniques.h"
+#include <QPainter>
+#include <array>
+#include <tuple>
+
+namespace relievo
+{
+namespace
+{
+// The picture is dark in either look, so what lies over it is light on dark in either.
+const QColor kShade(0, 0, 0, 150), kBright(240, 240, 240), kQuiet(190, 190, 190);
+constexpr int kPadding = 8; // px
+
+// The stops of shaders/heat.glsl, so that numbers stand at the colours of the picture.
+constexpr std::array<std::array<double, 3>, 7> kHeatStops = {{{0.267, 0.005, 0.329}, {0.267, 0.227, 0.514}, {0.192, 0.408, 0.557},
+    {0.129, 0.569, 0.549}, {0.208, 0.718, 0.475}, {0.561, 0.843, 0.267}, {0.992, 0.906, 0.145}}};
+
+void shade(QPainter& painter, const QRect& rect)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kShade);
+    painter.drawRoundedRect(rect, 4, 4);
+}
+} // namespace
+
+QString techniqueText(const State& state, std::size_t pane)
+{
+    const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
+    if (!technique)
+        return QString::fromStdString(state.panes[pane].technique);
+    const Parameters p = effectiveParameters(state, pane);
+    QString text = qt(technique->label);
+    if (listHas(technique->parameters, "maxSteps"))
+        text += p.minSteps == p.maxSteps ? QString(" %1").arg(p.maxSteps) : QString(" %1\u2013%2").arg(p.minSteps).arg(p.maxSteps);
+    if (listHas(technique->parameters, "refineSteps") && p.refineSteps > 0)
+        text += QString("+%1").arg(p.refineSteps);
+    return text;
+}
+
+double heatMax(const Parameters& parameters, const ViewRow& view)
+{
+    return double(view.key == "fetches" ? parameters.fetchRange : view.key == "error" ? parameters.errorRange : 1.f);
+}
+
+PaneCaption::PaneCaption(QWidget* parent)
+    : QAbstractButton(parent)
+{
+    setFocusPolicy(Qt::NoFocus);
+    setCursor(Qt::PointingHandCursor);
+    setToolTip(QObject::tr("Choose the technique of this picture"));
+}
+
+void PaneCaption::show(const QString& letter, const QString& technique, const QString& cost, bool active)
+{
+    // Only what differs is painted again: a repaint beside the picture costs as much as a small picture.
+    if (std::tie(letter, technique, cost, active) == std::tie(m_letter, m_technique, m_cost, m_active))
+        return;
+    m_letter = letter, m_technique = technique, m_cost = cost, m_active = active;
+    resize(sizeHint());
+    update();
+}
+
+QSize PaneCaption::sizeHint() const
+{
+    const auto wide = [&](const QString& text) { return text.isEmpty() ? 0 : fontMetrics().horizontalAdvance(text) + kPadding; };
+    return {wide(m_letter) + wide(m_technique) + (m_cost.isEmpty() ? 0 : wide(m_cost) + kPadding) + kPadding, kRowHeight};
+}
+
+void PaneCaption::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    shade(painter, rect());
+    int x = kPadding;
+    const auto put = [&](const QString& text, const QColor& color) {
+        painter.setPen(color);
+        painter.drawText(QRect(x, 0, width(), height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+        x += fontMetrics().horizontalAdvance(text) + kPadding;
+    };
+    if (!m_letter.isEmpty())
+        put(m_letter, m_active ? accent(palette()).lighter(120) : kQuiet);
+    put(m_technique, kBright);
+    if (!m_cost.isEmpty()) {
+        x += kPadding;
+        put(m_cost, kQuiet);
+    }
+    if (m_active && !m_letter.isEmpty()) {
+        painter.setPen(QPen(accent(palette()), 1));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    }
+}
+
+HeatLegend::HeatLegend(QWidget* parent)
+    : QWidget(parent)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFont(smallFont());
+    resize(sizeHint());
+}
+
+void HeatLegend::show(const QString& title, const QString& unit, double max)
+{
+    if (std::tie(title, unit, max) == std::tie(m_title, m_unit, m_max))
+        return;
+    m_title = title, m_unit = unit, m_max = max;
+    update();
+}
+
+void HeatLegend::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    shade(painter, rect());
+    const QRect bar(12, 8, width() - 24, 10);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    for (std::size_t i = 0; i < kHeatStops.size(); ++i)
+        gradient.setColorAt(double(i) / double(kHeatStops.size() - 1), QColor::fromRgbF(float(kHeatStops[i][0]), float(kHeatStops[i][1]), float(kHeatStops[i][2])));
+    painter.fillRect(bar, gradient);
+    painter.setPen(kBright);
+    constexpr int kMarks = 4;
+    for (int i = 0; i <= kMarks; ++i) {
+        const int x = bar.left() + (bar.width() - 1) * i / kMarks;
+        painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + 3);
+        const QString number = (i == kMarks ? QString::fromUtf8("\u2265 ") : QString()) + QString::number(m_max * i / kMarks, 'g', 3);
+        const int w = fontMetrics().horizontalAdvance(number);
+        painter.drawText(std::clamp(x - w / 2, 4, width() - w - 4), bar.bottom() + 5 + fontMetrics().ascent(), number);
+    }
+    painter.setPen(kQuiet);
+    painter.drawText(QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter, m_title == m_unit ? m_title : QString("%1 (%2)").arg(m_title, m_unit));
+}
+
+Hint::Hint(QWidget* parent)
+    : QWidget(parent)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    hide();
+}
+
+void Hint::say(const QString& text)
+{
+    m_text = text;
+    setVisible(!text.isEmpty());
+    resize(sizeHint());
+    update();
+}
+
+QSize Hint::sizeHint() const
+{
+    return {fontMetrics().horizontalAdvance(m_text) + 3 * kPadding, kRowHeight};
+}
+
+void Hint::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    shade(painter, rect());
+    painter.setPen(kBright);
+    painter.drawText(rect(), Qt::AlignCenter, m_text);
+}
+
+} // namespace relievo

@@ -1,0 +1,71 @@
+// What lies over the picture: captions, the legend of heat maps and hints. None takes the mouse from the picture but the captions.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/state/state.h"
+#include "core/state/views.h"
+#include <QAbstractButton>
+#include <QString>
+#include <QWidget>
+#include <optional>
+
+namespace relievo
+{
+
+// "relief 8-32+6": the technique and what decides its cost, for the caption of a pane.
+QString techniqueText(const State& state, std::size_t pane);
+
+// A chip in a pane's corner: letter (two panes only), technique, and measured cost. Pressed, it offers the techniques.
+class PaneCaption : public QAbstractButton
+{
+    Q_OBJECT
+public:
+    explicit PaneCaption(QWidget* parent);
+    void show(const QString& letter, const QString& technique, const QString& cost, bool active);
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    QString m_letter, m_technique, m_cost;
+    bool m_active = false;
+};
+
+// The colours of a heat view with numbers and unit.
+class HeatLegend : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit HeatLegend(QWidget* parent);
+    void show(const QString& title, const QString& unit, double max);
+    QSize sizeHint() const override { return {268, 60}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    QString m_title, m_unit;
+    double m_max = 1;
+};
+
+// One line of text in the middle of the lower edge, shown for as long as it matters.
+class Hint : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit Hint(QWidget* parent);
+    void say(const QString& text);
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    QString m_text;
+};
+
+// The number at the bright end of a heat view.
+double heatMax(const Parameters& parameters, const ViewRow& view);
+
+} // namespace relievo

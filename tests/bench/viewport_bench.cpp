@@ -1,0 +1,115 @@
+// How fluid the picture is in a real window: frames a second while orbiting, and the time from rest to the full picture.
+// Usage: viewport_bench [WIDTHxHEIGHT] [SHAPE] [TECHNIQUE]
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/files.h"
+#include "app/window/main_window.h"
+#include "app/window/theme.h"
+#include "app/window/viewport.h"
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QSurfaceFormat>
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <vector>
+
+namespace
+{
+using namespace relievo;
+
+bool workUntil(const std::function<bool()>& done, int limit = 20000)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (!done() && clock.elapsed() < limit)
+        QApplication::processEvents(QEventLoop::AllEvents, 1);
+    return done();
+}
+
+void mouse(QWidget& widget, QEvent::Type type, QPointF at)
+{
+    const Qt::MouseButtons buttons = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+    const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, widget.mapToGlobal(at), button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(&widget, &event);
+}
+
+double median(std::vector<double> values)
+{
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+struct Drag {
+    double framesPerSecond, slowest, scale, toFull;
+};
+
+// A drag of `frames` shown pictures, then the wait for the full one.
+Drag drag(MainWindow& window, int frames)
+{
+    Viewport& viewport = window.viewport();
+    int shown = 0;
+    const auto count = QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, [&] { ++shown; });
+    QPointF at(200, 300);
+    mouse(viewport, QEvent::MouseButtonPress, at);
+    std::vector<double> times;
+    QElapsedTimer clock;
+    for (int i = 0; i < frames; ++i) {
+        clock.start();
+        const int before = shown;
+        at += QPointF(i < frames / 2 ? 3 : -3, i % 2);
+        mouse(viewport, QEvent::MouseMove, at);
+        workUntil([&] { return shown > before; });
+        times.push_back(double(clock.nsecsElapsed()) * 1e-6);
+    }
+    const double scale = viewport.shownScale();
+    clock.start();
+    double full = 0;
+    const auto rest = QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, [&] {
+        if (viewport.isFull() && full == 0)
+            full = double(clock.nsecsElapsed()) * 1e-6;
+    });
+    workUntil([&] { return full > 0; });
+    QObject::disconnect(rest);
+    mouse(viewport, QEvent::MouseButtonRelease, at);
+    QObject::disconnect(count);
+    times.erase(times.begin(), times.begin() + 5); // the pacer finds its scale
+    return {1000. / median(times), *std::max_element(times.begin(), times.end()), scale, full};
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(4, 1);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QCoreApplication::setOrganizationName("relievo-bench");
+    QApplication application(argc, argv);
+    const QStringList arguments = application.arguments();
+    const QStringList size = arguments.value(1, "1280x800").split('x');
+    applyLook(application, Look::Dark);
+    MainWindow window;
+    window.resize(size.value(0).toInt(), size.value(1).toInt());
+    window.show();
+    State state;
+    state.mesh = arguments.value(2, "sphere").toStdString();
+    state.panes[0].technique = arguments.value(3, "relief").toStdString();
+    window.assets().openDocument("sample:bricks", state);
+    if (!workUntil([&] { return window.assets().ready() && window.viewport().isSettled(); })) {
+        std::fprintf(stderr, "the window shows no picture\n");
+        return 1;
+    }
+    std::printf("window %dx%d, picture %dx%d, %s on %s\n", window.width(), window.height(), window.viewport().width(), window.viewport().height(),
+        state.panes[0].technique.c_str(), state.mesh.c_str());
+    for (int run = 0; run < 5; ++run) {
+        const Drag result = drag(window, 60);
+        std::printf("drag: %.1f frames/s (median), slowest frame %.1f ms, at %.2f of the resolution each way; full picture %.0f ms after the last move\n",
+            result.framesPerSecond, result.slowest, result.scale, result.toFull);
+        workUntil([&] { return window.viewport().isSettled(); });
+    }
+    return 0;
+}

@@ -1,0 +1,127 @@
+// Pictures of the editor window in its states, to be looked at: window_pictures FOLDER [NAME ...].
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/export_dialog.h"
+#include "app/window/editing.h"
+#include "app/window/files.h"
+#include "app/window/main_window.h"
+#include "app/window/message_line.h"
+#include "app/window/theme.h"
+#include "app/window/viewport.h"
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QScreen>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QSurfaceFormat>
+#include <cstdio>
+#include <functional>
+
+namespace
+{
+using namespace relievo;
+
+// Lets the window work until `done`, at most ten seconds, and a little longer so that the last picture is on the screen.
+void workUntil(const std::function<bool()>& done)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (!done() && clock.elapsed() < 10000)
+        QApplication::processEvents(QEventLoop::AllEvents, 20);
+    clock.restart();
+    while (clock.elapsed() < 700)
+        QApplication::processEvents(QEventLoop::AllEvents, 20);
+}
+
+struct Scene {
+    const char* name;
+    QSize size;
+    Look look;
+    std::function<void(MainWindow&)> prepare;
+};
+
+void twoPanes(MainWindow& window)
+{
+    window.document().edit("Two pictures", [](State& state) {
+        setPaneCount(state, 2);
+        state.mesh = "sphere";
+    });
+}
+
+const Scene kScenes[] = {
+    {"first", {1280, 800}, Look::Dark, [](MainWindow&) {}},
+    {"first-light", {1280, 800}, Look::Light, [](MainWindow&) {}},
+    {"wide", {1600, 1000}, Look::Dark, [](MainWindow& window) { window.assets().propose("Mesh", [](State& state) { state.mesh = "sphere"; }); }},
+    {"two", {1600, 1000}, Look::Dark, twoPanes},
+    {"two-light", {1280, 800}, Look::Light,
+        [](MainWindow& window) {
+            twoPanes(window);
+            window.document().edit("Depth", [](State& state) { assign(state, *findParameter("depth"), 0.2f, Scope::B); });
+        }},
+    {"heat", {1280, 800}, Look::Dark, [](MainWindow& window) { window.setView("fetches"); }},
+    {"heat-two", {1600, 1000}, Look::Dark,
+        [](MainWindow& window) {
+            twoPanes(window);
+            window.setView("error");
+        }},
+    {"warnings", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            window.messages().set("a", Warnings{{"normal-dx", "rock_nor_dx.png is a DirectX style normal map; its green channel was flipped."},
+                                           {"float-range", "rock_disp.exr leaves 0 to 1; its heights were mapped from -0.23 .. 1.7."}});
+            window.document().edit("Maps", [](State& state) {
+                state.slots[std::size_t(MapKind::Normal)].file = "/home/anna/rock/rock_nor_dx.png";
+                state.slots[std::size_t(MapKind::AmbientOcclusion)].file = "/home/anna/rock/rock_ao.png";
+            });
+            window.messageLine().setOpen(true);
+        }},
+    {"export", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            window.action("export")->trigger();
+            auto* dialog = window.findChild<ExportDialog*>();
+            dialog->setTarget(2);
+            dialog->setOut(QDir::temp().filePath("bricks.json"));
+            dialog->run();
+            dialog->move(500, 260);
+        }},
+    {"keys", {1280, 800}, Look::Dark, [](MainWindow& window) { window.action("shortcuts")->trigger(); }},
+};
+
+void take(const Scene& scene, const QString& folder)
+{
+    applyLook(*qApp, scene.look);
+    QSettings().clear();
+    MainWindow window;
+    window.move(0, 0);
+    window.resize(scene.size);
+    window.show();
+    window.assets().openDocument("sample:bricks", State{});
+    workUntil([&] { return window.assets().ready() && !window.assets().background().busy(); });
+    scene.prepare(window);
+    workUntil([&] { return !window.assets().background().busy() && window.viewport().isSettled(); });
+    const QString file = QDir(folder).filePath(QString(scene.name) + ".png");
+    QApplication::primaryScreen()->grabWindow(0, 0, 0, scene.size.width(), scene.size.height()).save(file);
+    std::printf("%s\n", qPrintable(file));
+    window.document().start(window.document().state(), {});
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(4, 1);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QCoreApplication::setOrganizationName("relievo-pictures");
+    QCoreApplication::setApplicationName("pictures");
+    QApplication application(argc, argv);
+    const QStringList arguments = application.arguments();
+    const QString folder = arguments.value(1, ".");
+    QDir().mkpath(folder);
+    for (const Scene& scene : kScenes)
+        if (arguments.size() < 3 || arguments.mid(2).contains(scene.name))
+            take(scene, folder);
+    return 0;
+}
