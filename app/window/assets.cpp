@@ -5,8 +5,7 @@
 #include "app/window/recent_files.h"
 #include <QFileInfo>
 
-namespace relievo
-{
+namespace relievo {
 
 struct Assets::Loaded {
     Opened opened;
@@ -14,8 +13,7 @@ struct Assets::Loaded {
     std::optional<Error> error;
 };
 
-namespace
-{
+namespace {
 bool holds(const Material& material, MapKind kind)
 {
     return kind == MapKind::Height ? material.height.has_value() : material.map(kind) != nullptr;
@@ -42,8 +40,7 @@ bool cancelled(const Error& error)
 }
 } // namespace
 
-Assets::Assets(Document& document, Messages& messages, QObject* parent)
-    : QObject(parent), m_document(document), m_messages(messages)
+Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObject(parent), m_document(document), m_messages(messages)
 {
     connect(&document, &Document::changed, this, &Assets::follow);
 }
@@ -133,17 +130,18 @@ void Assets::propose(const QString& text, std::function<void(State&)> change)
     change(next);
     if (fits(next))
         return m_document.edit(text, change);
-    m_background.start([this, text, change, next, before = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
-        const auto resources = loadResources(next, {}, previous, progress);
-        return [this, text, change, next, before, resources] {
-            if (!resources)
-                return refuse(resources.error());
-            if (const auto error = newMapThatFailed(before, next, *resources->material))
-                return refuse(*error);
-            take(*resources);
-            m_document.edit(text, change);
-        };
-    });
+    m_background.start(
+        [this, text, change, next, before = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
+            const auto resources = loadResources(next, {}, previous, progress);
+            return [this, text, change, next, before, resources] {
+                if (!resources)
+                    return refuse(resources.error());
+                if (const auto error = newMapThatFailed(before, next, *resources->material))
+                    return refuse(*error);
+                take(*resources);
+                m_document.edit(text, change);
+            };
+        });
 }
 
 void Assets::take(const Resources& resources)

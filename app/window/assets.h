@@ -9,12 +9,10 @@
 #include <QObject>
 #include <functional>
 
-namespace relievo
-{
+namespace relievo {
 
 // Everything here returns at once. A failure leaves document and data as they were and stands in the messages under "load".
-class Assets : public QObject
-{
+class Assets : public QObject {
     Q_OBJECT
 public:
     Assets(Document& document, Messages& messages, QObject* parent = nullptr);

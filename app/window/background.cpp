@@ -7,10 +7,8 @@
 #include <chrono>
 #include <memory>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 // True at most 20 times a second, from whichever thread asks.
 struct Ticker {
     std::atomic<std::int64_t> next{0};
@@ -24,10 +22,7 @@ struct Ticker {
 };
 } // namespace
 
-Background::Background(QObject* parent)
-    : QObject(parent)
-{
-}
+Background::Background(QObject* parent) : QObject(parent) { }
 
 Background::~Background()
 {
@@ -43,14 +38,16 @@ void Background::start(std::function<Then(const Progress&)> work)
     const bool wasBusy = busy();
     m_current = id;
     m_runs.push_back({id, std::jthread([this, id, work = std::move(work)](std::stop_token stop) {
-        const auto ticker = std::make_shared<Ticker>();
-        const auto report = [this, id, ticker](float share) {
-            if (ticker->due())
-                QMetaObject::invokeMethod(this, [this, id, share] { this->report(id, share); }, Qt::QueuedConnection);
-        };
-        const Then then = work(Progress{report, stop});
-        QMetaObject::invokeMethod(this, [this, id, then] { finish(id, then); }, Qt::QueuedConnection);
-    })});
+                          const auto ticker = std::make_shared<Ticker>();
+                          const auto report = [this, id, ticker](float share) {
+                              if (ticker->due())
+                                  QMetaObject::invokeMethod(
+                                      this, [this, id, share] { this->report(id, share); }, Qt::QueuedConnection);
+                          };
+                          const Then then = work(Progress{report, stop});
+                          QMetaObject::invokeMethod(
+                              this, [this, id, then] { finish(id, then); }, Qt::QueuedConnection);
+                      })});
     if (!wasBusy)
         Q_EMIT busyChanged(true);
 }

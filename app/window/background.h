@@ -8,11 +8,9 @@
 #include <list>
 #include <thread>
 
-namespace relievo
-{
+namespace relievo {
 
-class Background : public QObject
-{
+class Background : public QObject {
     Q_OBJECT
 public:
     explicit Background(QObject* parent = nullptr);

@@ -11,18 +11,12 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kSegmentPadding = 10; // px, left and right of a text
 
 struct SmoothPainter : QPainter {
-    explicit SmoothPainter(QWidget* widget)
-        : QPainter(widget)
-    {
-        setRenderHint(Antialiasing);
-    }
+    explicit SmoothPainter(QWidget* widget) : QPainter(widget) { setRenderHint(Antialiasing); }
 };
 
 void focusFrame(QPainter& painter, const QWidget& widget, const QRectF& rect, qreal radius)
@@ -35,8 +29,7 @@ void focusFrame(QPainter& painter, const QWidget& widget, const QRectF& rect, qr
 }
 } // namespace
 
-Segmented::Segmented(const QVector<Item>& items, QWidget* parent)
-    : QWidget(parent), m_items(items)
+Segmented::Segmented(const QVector<Item>& items, QWidget* parent) : QWidget(parent), m_items(items)
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::TabFocus);
@@ -155,8 +148,7 @@ bool Segmented::event(QEvent* event)
     return QWidget::event(event);
 }
 
-Switch::Switch(QWidget* parent)
-    : QAbstractButton(parent)
+Switch::Switch(QWidget* parent) : QAbstractButton(parent)
 {
     setCheckable(true);
     setFocusPolicy(Qt::TabFocus);
@@ -176,8 +168,7 @@ void Switch::paintEvent(QPaintEvent*)
     focusFrame(painter, *this, track.adjusted(-0.5, -0.5, 0.5, 0.5), 7.5);
 }
 
-Swatch::Swatch(QWidget* parent)
-    : QAbstractButton(parent)
+Swatch::Swatch(QWidget* parent) : QAbstractButton(parent)
 {
     setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -199,14 +190,11 @@ void Swatch::paintEvent(QPaintEvent*)
     focusFrame(painter, *this, QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4);
 }
 
-namespace
-{
+namespace {
 // The clickable line at the top of a section.
-class SectionHeader : public QAbstractButton
-{
+class SectionHeader : public QAbstractButton {
 public:
-    SectionHeader(const QString& title, QWidget* parent)
-        : QAbstractButton(parent)
+    SectionHeader(const QString& title, QWidget* parent) : QAbstractButton(parent)
     {
         setText(title);
         setCheckable(true);
@@ -232,7 +220,11 @@ protected:
 } // namespace
 
 Section::Section(const QString& title, QWidget* parent)
-    : QWidget(parent), m_title(title), m_header(new SectionHeader(title, this)), m_content(new QWidget(this)), m_body(new QVBoxLayout(m_content))
+    : QWidget(parent)
+    , m_title(title)
+    , m_header(new SectionHeader(title, this))
+    , m_content(new QWidget(this))
+    , m_body(new QVBoxLayout(m_content))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -262,8 +254,7 @@ void Section::setOpen(bool open)
     m_content->setVisible(open);
 }
 
-ElidedLabel::ElidedLabel(QWidget* parent)
-    : QLabel(parent)
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent)
 {
     setTextFormat(Qt::PlainText);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -282,8 +273,7 @@ void ElidedLabel::resizeEvent(QResizeEvent* event)
     setFullText(m_full);
 }
 
-namespace
-{
+namespace {
 QFrame* ruled(QWidget* parent, const char* role)
 {
     auto* frame = new QFrame(parent);

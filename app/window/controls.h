@@ -13,13 +13,11 @@
 
 class QVBoxLayout;
 
-namespace relievo
-{
+namespace relievo {
 
 // A slider over a SliderScale. Pressed on its handle it moves from there, pressed elsewhere it jumps. Ctrl is fine, Shift coarse,
 // arrow keys step, a double click asks for the default. Back at the press it gives back exactly the value it began with.
-class Slider : public QWidget
-{
+class Slider : public QWidget {
     Q_OBJECT
 public:
     Slider(const SliderScale& scale, double defaultValue, QWidget* parent = nullptr);
@@ -56,8 +54,7 @@ private:
 };
 
 // One of a few: buttons side by side that share a frame.
-class Segmented : public QWidget
-{
+class Segmented : public QWidget {
     Q_OBJECT
 public:
     struct Item {
@@ -90,8 +87,7 @@ private:
     int m_current = -1, m_hovered = -1;
 };
 
-class Switch : public QAbstractButton
-{
+class Switch : public QAbstractButton {
     Q_OBJECT
 public:
     explicit Switch(QWidget* parent = nullptr);
@@ -103,8 +99,7 @@ protected:
     void leaveEvent(QEvent*) override { update(); }
 };
 
-class Swatch : public QAbstractButton
-{
+class Swatch : public QAbstractButton {
     Q_OBJECT
 public:
     explicit Swatch(QWidget* parent = nullptr);
@@ -119,8 +114,7 @@ private:
 };
 
 // A heading that opens and closes what stands under it; remembers it under its title between sessions.
-class Section : public QWidget
-{
+class Section : public QWidget {
     Q_OBJECT
 public:
     explicit Section(const QString& title, QWidget* parent = nullptr);
@@ -138,8 +132,7 @@ private:
 };
 
 // One line of text that is cut with an ellipsis where there is no room for it.
-class ElidedLabel : public QLabel
-{
+class ElidedLabel : public QLabel {
     Q_OBJECT
 public:
     explicit ElidedLabel(QWidget* parent = nullptr);

@@ -8,10 +8,8 @@
 #include <QPushButton>
 #include <QSettings>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 struct FileKindRow {
     const char* key;
     const char* label;
@@ -36,9 +34,8 @@ QFileDialog* chooser(QWidget* parent, const QString& title, const QString& key)
 {
     auto* dialog = new QFileDialog(parent, title, QSettings().value("folders/" + key).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QFileDialog::fileSelected, [key](const QString& file) {
-        QSettings().setValue("folders/" + key, QFileInfo(file).absolutePath());
-    });
+    QObject::connect(dialog, &QFileDialog::fileSelected,
+        [key](const QString& file) { QSettings().setValue("folders/" + key, QFileInfo(file).absolutePath()); });
     return dialog;
 }
 } // namespace
@@ -55,7 +52,8 @@ void askForFile(QWidget* parent, const QString& title, FileKind kind, std::funct
         dialog->setFileMode(QFileDialog::Directory);
     } else {
         dialog->setFileMode(QFileDialog::ExistingFile);
-        dialog->setNameFilters({QString("%1 (*.%2)").arg(rowOf(kind).label, QString(rowOf(kind).suffixes).replace(" ", " *.")), "All files (*)"});
+        dialog->setNameFilters(
+            {QString("%1 (*.%2)").arg(rowOf(kind).label, QString(rowOf(kind).suffixes).replace(" ", " *.")), "All files (*)"});
     }
     QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(then));
     dialog->open();

@@ -7,8 +7,7 @@
 
 class QWidget;
 
-namespace relievo
-{
+namespace relievo {
 
 enum class FileKind { Source, Project, Image, Mesh, Panorama, Folder };
 
@@ -17,7 +16,8 @@ bool fits(FileKind kind, const QString& file);
 
 // Opens a chooser in the folder used last for the kind; `then` is called with what was chosen, not at all when nothing was.
 void askForFile(QWidget* parent, const QString& title, FileKind kind, std::function<void(const QString&)> then);
-void askWhereToSave(QWidget* parent, const QString& title, const QString& proposal, const QString& suffix, std::function<void(const QString&)> then);
+void askWhereToSave(
+    QWidget* parent, const QString& title, const QString& proposal, const QString& suffix, std::function<void(const QString&)> then);
 
 enum class Answer { Save, Discard, Cancel };
 // The one modal question: unsaved work of `name` is about to be lost.

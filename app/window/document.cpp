@@ -6,8 +6,7 @@
 #include <QFileInfo>
 #include <QUndoCommand>
 
-namespace relievo
-{
+namespace relievo {
 
 Changes differences(const State& a, const State& b)
 {
@@ -24,11 +23,14 @@ Changes differences(const State& a, const State& b)
 }
 
 // Two whole States; the camera of neither is used, so that undo leaves the eye where it is.
-class Document::Edit : public QUndoCommand
-{
+class Document::Edit : public QUndoCommand {
 public:
     Edit(Document& document, State after, const QString& text)
-        : QUndoCommand(text), m_document(document), m_before(document.m_state), m_after(std::move(after)), m_gesture(document.m_gesture)
+        : QUndoCommand(text)
+        , m_document(document)
+        , m_before(document.m_state)
+        , m_after(std::move(after))
+        , m_gesture(document.m_gesture)
     {
     }
     int id() const override { return 1; }
@@ -55,8 +57,7 @@ private:
     int m_gesture;
 };
 
-Document::Document(QObject* parent)
-    : QObject(parent)
+Document::Document(QObject* parent) : QObject(parent)
 {
     connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
 }

@@ -9,8 +9,7 @@
 #include <QUndoStack>
 #include <functional>
 
-namespace relievo
-{
+namespace relievo {
 
 // Which parts of the State differ from before; found by comparison.
 enum class Change {
@@ -29,8 +28,7 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 Changes differences(const State& a, const State& b);
 
 // Lives in the interface's thread.
-class Document : public QObject
-{
+class Document : public QObject {
     Q_OBJECT
 public:
     explicit Document(QObject* parent = nullptr);

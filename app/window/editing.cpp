@@ -5,10 +5,8 @@
 #include "core/state/techniques.h"
 #include <algorithm>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 bool inScope(std::size_t pane, Scope scope)
 {
     return scope == Scope::Both || pane == (scope == Scope::A ? 0u : 1u);

@@ -5,8 +5,7 @@
 #include "core/state/state.h"
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 enum class Scope { Both, A, B };
 

@@ -17,10 +17,8 @@
 #include <QSettings>
 #include <QToolButton>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kSizes[] = {0, 512, 1024, 2048, 4096}; // texels; 0 as the maps are
 
 QLabel* caption(const QString& text)
@@ -38,8 +36,16 @@ QString folderOfExports()
 } // namespace
 
 ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidget* parent)
-    : QDialog(parent), m_document(document), m_assets(assets), m_target(new QComboBox), m_size(new QComboBox), m_help(new QLabel), m_result(new QLabel),
-      m_out(new QLineEdit), m_export(new QPushButton(tr("Export"))), m_progress(new QProgressBar)
+    : QDialog(parent)
+    , m_document(document)
+    , m_assets(assets)
+    , m_target(new QComboBox)
+    , m_size(new QComboBox)
+    , m_help(new QLabel)
+    , m_result(new QLabel)
+    , m_out(new QLineEdit)
+    , m_export(new QPushButton(tr("Export")))
+    , m_progress(new QProgressBar)
 {
     setWindowTitle(tr("Export"));
     setObjectName("export");
@@ -151,7 +157,8 @@ void ExportDialog::run()
         return tell(failure(tr("Where to").toStdString(), "no file is named", "Name one"));
     QSettings().setValue("folders/export", QFileInfo(out).absolutePath());
     const int size = kSizes[m_size->currentIndex()];
-    m_background.start([this, row = target(), state = m_document.state(), resources = m_assets.resources(), out, size](const Progress& progress) -> Background::Then {
+    m_background.start([this, row = target(), state = m_document.state(), resources = m_assets.resources(), out, size](
+                           const Progress& progress) -> Background::Then {
         const auto result = row.run(ExportJob{state, resources, out.toStdString(), size, progress});
         return [this, result] { tell(result); };
     });

@@ -12,12 +12,10 @@ class QLineEdit;
 class QProgressBar;
 class QPushButton;
 
-namespace relievo
-{
+namespace relievo {
 
 // Not modal: the picture can be changed meanwhile; what is exported is the document as it was when the button was pressed.
-class ExportDialog : public QDialog
-{
+class ExportDialog : public QDialog {
     Q_OBJECT
 public:
     ExportDialog(const Document& document, const Assets& assets, QWidget* parent = nullptr);

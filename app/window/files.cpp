@@ -11,11 +11,14 @@
 #include <QMenu>
 #include <QWidget>
 
-namespace relievo
-{
+namespace relievo {
 
 Files::Files(Document& document, Assets& assets, Messages& messages, QWidget* window)
-    : QObject(window), m_document(document), m_assets(assets), m_messages(messages), m_window(window)
+    : QObject(window)
+    , m_document(document)
+    , m_assets(assets)
+    , m_messages(messages)
+    , m_window(window)
 {
 }
 

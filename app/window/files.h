@@ -8,11 +8,9 @@
 
 class QMenu;
 
-namespace relievo
-{
+namespace relievo {
 
-class Files : public QObject
-{
+class Files : public QObject {
     Q_OBJECT
 public:
     Files(Document& document, Assets& assets, Messages& messages, QWidget* window);

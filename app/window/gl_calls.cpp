@@ -4,8 +4,7 @@
 #include "app/window/gl_calls.h"
 #include <epoxy/gl.h>
 
-namespace relievo
-{
+namespace relievo {
 
 int openGLVersion()
 {

@@ -4,8 +4,7 @@
 #pragma once
 #include "render/renderer.h"
 
-namespace relievo
-{
+namespace relievo {
 
 // All need a current context; afterwards the named framebuffer is bound.
 int openGLVersion(); // 41 for 4.1

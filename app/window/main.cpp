@@ -10,8 +10,7 @@
 #include <QSurfaceFormat>
 #include <cstdio>
 
-namespace
-{
+namespace {
 using namespace relievo;
 
 // Without a SOURCE the maps of the state are shown, and without those the built-in bricks.

@@ -1,10 +1,10 @@
 // Putting the window together.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/main_window.h"
 #include "app/window/controls.h"
 #include "app/window/export_dialog.h"
 #include "app/window/files.h"
-#include "app/window/main_window.h"
 #include "app/window/map_panel.h"
 #include "app/window/message_line.h"
 #include "app/window/parameter_panel.h"
@@ -27,18 +27,21 @@
 #include <QSplitter>
 #include <QToolButton>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kMapWidth = 264, kParameterWidth = 348; // px
 }
 
 MainWindow::MainWindow()
-    : m_assets(m_document, m_messages), m_files(new Files(m_document, m_assets, m_messages, this)),
-      m_viewport(new Viewport(m_document, m_assets, m_messages)), m_maps(new MapPanel(m_document, m_assets)),
-      m_parameters(new ParameterPanel(m_document)), m_techniques(new TechniqueBar), m_view(new QComboBox),
-      m_line(new MessageLine(m_messages, m_assets.background())), m_splitter(new QSplitter)
+    : m_assets(m_document, m_messages)
+    , m_files(new Files(m_document, m_assets, m_messages, this))
+    , m_viewport(new Viewport(m_document, m_assets, m_messages))
+    , m_maps(new MapPanel(m_document, m_assets))
+    , m_parameters(new ParameterPanel(m_document))
+    , m_techniques(new TechniqueBar)
+    , m_view(new QComboBox)
+    , m_line(new MessageLine(m_messages, m_assets.background()))
+    , m_splitter(new QSplitter)
 {
     setAcceptDrops(true);
     m_splitter->setHandleWidth(1);
@@ -141,7 +144,10 @@ Handlers MainWindow::handlers()
         {"copy-camera", [this](bool) { QApplication::clipboard()->setText(QString::fromStdString(toText(m_document.state().camera))); }},
         {"paste-camera", [this](bool) { pasteCamera(); }},
         {"wireframe", [parameter](bool on) { parameter("wireframe", on); }},
-        {"two-panes", [this](bool on) { m_document.edit(on ? tr("Two pictures") : tr("One picture"), [&](State& state) { setPaneCount(state, on ? 2 : 1); }); }},
+        {"two-panes",
+            [this](bool on) {
+                m_document.edit(on ? tr("Two pictures") : tr("One picture"), [&](State& state) { setPaneCount(state, on ? 2 : 1); });
+            }},
         {"frame", [this](bool) { m_document.edit({}, [](State& state) { state.camera = framed(state.camera); }); }},
         {"reset-camera", [this](bool) { m_document.edit({}, [](State& state) { state.camera = Camera{}; }); }},
         {"light-theme",
@@ -177,7 +183,8 @@ void MainWindow::addTableMenus()
     });
     lazyMenu(view, first, tr("Show"), [this](QMenu& menu) {
         for (std::size_t i = 0; i < kViews.size(); ++i)
-            menu.addAction(qt(kViews[i].label), this, [this, i] { setView(kViews[i].key); })->setShortcut(QKeySequence(Qt::Key(Qt::Key_1 + int(i))));
+            menu.addAction(qt(kViews[i].label), this, [this, i] { setView(kViews[i].key); })
+                ->setShortcut(QKeySequence(Qt::Key(Qt::Key_1 + int(i))));
     });
 }
 

@@ -9,8 +9,7 @@
 class QComboBox;
 class QSplitter;
 
-namespace relievo
-{
+namespace relievo {
 
 class ExportDialog;
 class Files;
@@ -20,8 +19,7 @@ class ParameterPanel;
 class TechniqueBar;
 class Viewport;
 
-class MainWindow : public QMainWindow
-{
+class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
     MainWindow();

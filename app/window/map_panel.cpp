@@ -18,10 +18,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 QToolButton* lineButton(const char* picture, const QString& tip)
 {
     auto* button = new QToolButton;
@@ -52,8 +50,7 @@ QString meshFacts(const Mesh& mesh)
 }
 } // namespace
 
-MapPanel::MapPanel(Document& document, Assets& assets, QWidget* parent)
-    : QWidget(parent), m_document(document), m_assets(assets)
+MapPanel::MapPanel(Document& document, Assets& assets, QWidget* parent) : QWidget(parent), m_document(document), m_assets(assets)
 {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
@@ -92,7 +89,8 @@ void MapPanel::addMaps(Section& section)
         section.body()->addWidget(line);
         m_rows.append(line);
         connect(line, &MapRow::assignWanted, this, [this, &kind] {
-            askForFile(this, tr("%1 map").arg(qt(kind.label)), FileKind::Image, [this, &kind](const QString& file) { assign(kind.kind, file); });
+            askForFile(
+                this, tr("%1 map").arg(qt(kind.label)), FileKind::Image, [this, &kind](const QString& file) { assign(kind.kind, file); });
         });
         connect(line, &MapRow::locateWanted, this, [this, &kind] {
             askForFile(this, tr("Locate the %1 map").arg(qt(kind.label)), FileKind::Image,
@@ -156,7 +154,8 @@ void MapPanel::assign(MapKind kind, const QString& file)
         MapSlot slot;
         slot.file = path.toStdString();
         const QString stem = QFileInfo(path).completeBaseName().toLower();
-        slot.invert = (kind == MapKind::Height && stem.endsWith("depth")) || (kind == MapKind::Normal && (stem.endsWith("dx") || stem.endsWith("directx")));
+        slot.invert = (kind == MapKind::Height && stem.endsWith("depth"))
+            || (kind == MapKind::Normal && (stem.endsWith("dx") || stem.endsWith("directx")));
         state.slots[std::size_t(kind)] = slot;
     });
 }

@@ -9,15 +9,13 @@
 class QLabel;
 class QToolButton;
 
-namespace relievo
-{
+namespace relievo {
 
 class MapRow;
 class Section;
 class Segmented;
 
-class MapPanel : public QWidget
-{
+class MapPanel : public QWidget {
     Q_OBJECT
 public:
     MapPanel(Document& document, Assets& assets, QWidget* parent = nullptr);

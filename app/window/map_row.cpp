@@ -15,10 +15,8 @@
 #include <QToolButton>
 #include <QUrl>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kThumbnail = 40, kFilledHeight = 48, kEmptyHeight = 28; // px
 
 QToolButton* toolButton(const char* picture, const QString& tip, QWidget* parent)
@@ -46,11 +44,15 @@ QString channelLabel(Channel channel, int channels)
 } // namespace
 
 MapRow::MapRow(const MapKindRow& kind, QWidget* parent)
-    : QWidget(parent), m_kind(kind), m_name(new QLabel(qt(kind.label), this)), m_facts(new QLabel(this)),
-      m_locate(toolButton("locate", tr("The file is not there: say where it is now"), this)),
-      m_invert(kind.kind == MapKind::Normal ? toolButton("flip", tr("Green flip: the map is DirectX style"), this)
-                                            : toolButton("invert", tr("Invert: black for white"), this)),
-      m_clear(toolButton("clear", tr("Clear this map"), this)), m_channel(new QComboBox(this))
+    : QWidget(parent)
+    , m_kind(kind)
+    , m_name(new QLabel(qt(kind.label), this))
+    , m_facts(new QLabel(this))
+    , m_locate(toolButton("locate", tr("The file is not there: say where it is now"), this))
+    , m_invert(kind.kind == MapKind::Normal ? toolButton("flip", tr("Green flip: the map is DirectX style"), this)
+                                            : toolButton("invert", tr("Invert: black for white"), this))
+    , m_clear(toolButton("clear", tr("Clear this map"), this))
+    , m_channel(new QComboBox(this))
 {
     setObjectName("map-" + qt(kind.key));
     setAcceptDrops(true);
@@ -78,7 +80,8 @@ MapRow::MapRow(const MapKindRow& kind, QWidget* parent)
     layout->setContentsMargins(12 + kThumbnail + 8, 0, 4, 0);
     layout->setSpacing(0);
     layout->addLayout(texts, 1);
-    for (QWidget* widget : {static_cast<QWidget*>(m_locate), static_cast<QWidget*>(m_channel), static_cast<QWidget*>(m_invert), static_cast<QWidget*>(m_clear)}) {
+    for (QWidget* widget : {static_cast<QWidget*>(m_locate), static_cast<QWidget*>(m_channel), static_cast<QWidget*>(m_invert),
+             static_cast<QWidget*>(m_clear)}) {
         widget->setCursor(Qt::ArrowCursor);
         layout->addWidget(widget);
     }

@@ -9,11 +9,9 @@ class QComboBox;
 class QLabel;
 class QToolButton;
 
-namespace relievo
-{
+namespace relievo {
 
-class MapRow : public QWidget
-{
+class MapRow : public QWidget {
     Q_OBJECT
 public:
     explicit MapRow(const MapKindRow& kind, QWidget* parent = nullptr);

@@ -13,14 +13,13 @@
 #include <QMenuBar>
 #include <QToolButton>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 QString tip(const ActionRow& row)
 {
     const QString keys = QKeySequence(qt(row.shortcut)).toString(QKeySequence::NativeText);
-    return QString("<p><b>%1</b>%2<br>%3</p>").arg(qt(row.label).remove("..."), keys.isEmpty() ? QString() : " &nbsp;" + keys, qt(row.help));
+    return QString("<p><b>%1</b>%2<br>%3</p>")
+        .arg(qt(row.label).remove("..."), keys.isEmpty() ? QString() : " &nbsp;" + keys, qt(row.help));
 }
 
 QDialog* plainDialog(QWidget* parent, const QString& title)
@@ -135,7 +134,8 @@ void showAbout(QWidget* parent)
     name->setProperty("role", "heading");
     layout->addWidget(name);
     layout->addWidget(new QLabel(QObject::tr("An editor for relief materials.")));
-    layout->addWidget(dimLabel(QObject::tr("Copyright the Relievo authors. GNU General Public License, version 3 or later.\nThe shaders and all that is exported: MIT licence.")));
+    layout->addWidget(dimLabel(QObject::tr("Copyright the Relievo authors. GNU General Public License, version 3 or later.\nThe shaders "
+                                           "and all that is exported: MIT licence.")));
     dialog->show();
 }
 

@@ -13,8 +13,7 @@ class QMenuBar;
 class QToolButton;
 class QWidget;
 
-namespace relievo
-{
+namespace relievo {
 
 // One handler for each row of kActions; `on` is the new state of a row that toggles.
 using Handlers = QMap<QString, std::function<void(bool on)>>;

@@ -12,12 +12,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kShowWorkAfter = 150; // ms: short work shows no bar
-const char* const kMouseHelp = "Left drag orbits   \u00b7   Middle drag moves   \u00b7   Wheel zooms   \u00b7   Right drag with W A S D flies   \u00b7   Shift + right drag turns the light";
+const char* const kMouseHelp = "Left drag orbits   \u00b7   Middle drag moves   \u00b7   Wheel zooms   \u00b7   Right drag with W A S D "
+                               "flies   \u00b7   Shift + right drag turns the light";
 
 QString counted(const QList<Message>& all)
 {
@@ -33,8 +32,14 @@ QString counted(const QList<Message>& all)
 } // namespace
 
 MessageLine::MessageLine(Messages& messages, Background& background, QWidget* parent)
-    : QWidget(parent), m_messages(messages), m_list(new QWidget(this)), m_work(new QWidget(this)), m_lines(new QVBoxLayout(m_list)),
-      m_count(new QToolButton(this)), m_text(new ElidedLabel(this)), m_progress(new QProgressBar(this))
+    : QWidget(parent)
+    , m_messages(messages)
+    , m_list(new QWidget(this))
+    , m_work(new QWidget(this))
+    , m_lines(new QVBoxLayout(m_list))
+    , m_count(new QToolButton(this))
+    , m_text(new ElidedLabel(this))
+    , m_progress(new QProgressBar(this))
 {
     m_lines->setContentsMargins(12, 8, 12, 8);
     m_lines->setSpacing(2 * kGrid);

@@ -10,13 +10,11 @@ class QProgressBar;
 class QToolButton;
 class QVBoxLayout;
 
-namespace relievo
-{
+namespace relievo {
 
 class ElidedLabel;
 
-class MessageLine : public QWidget
-{
+class MessageLine : public QWidget {
     Q_OBJECT
 public:
     MessageLine(Messages& messages, Background& background, QWidget* parent = nullptr);

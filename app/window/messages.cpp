@@ -4,8 +4,7 @@
 #include "app/window/messages.h"
 #include <algorithm>
 
-namespace relievo
-{
+namespace relievo {
 
 void Messages::set(const QString& source, const QList<Message>& messages)
 {

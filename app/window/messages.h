@@ -8,8 +8,7 @@
 #include <QObject>
 #include <QString>
 
-namespace relievo
-{
+namespace relievo {
 
 struct Message {
     bool isError = false; // else a warning: the work went on
@@ -17,8 +16,7 @@ struct Message {
     bool operator==(const Message&) const = default;
 };
 
-class Messages : public QObject
-{
+class Messages : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;

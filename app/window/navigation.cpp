@@ -6,10 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr double kDegreesPerPixel = 0.4;
 constexpr float kClosest = 0.001f, kFarthest = 10000.f; // m
 

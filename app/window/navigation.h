@@ -9,8 +9,7 @@
 #include <optional>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 enum class Gesture { Orbit, Pan, Zoom, Fly, Light };
 struct GestureRow {

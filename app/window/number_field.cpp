@@ -9,11 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace relievo
-{
+namespace relievo {
 
-NumberField::NumberField(const ParameterRow& row, QWidget* parent)
-    : QLineEdit(parent), m_row(row)
+NumberField::NumberField(const ParameterRow& row, QWidget* parent) : QLineEdit(parent), m_row(row)
 {
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(this, &QLineEdit::editingFinished, this, &NumberField::commit);

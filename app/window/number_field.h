@@ -5,11 +5,9 @@
 #include "core/state/parameters.h"
 #include <QLineEdit>
 
-namespace relievo
-{
+namespace relievo {
 
-class NumberField : public QLineEdit
-{
+class NumberField : public QLineEdit {
     Q_OBJECT
 public:
     explicit NumberField(const ParameterRow& row, QWidget* parent = nullptr);

@@ -9,10 +9,8 @@
 #include <array>
 #include <tuple>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 // The picture is dark in either look, so what lies over it is light on dark in either.
 const QColor kShade(0, 0, 0, 150), kBright(240, 240, 240), kQuiet(190, 190, 190);
 constexpr int kPadding = 8; // px
@@ -49,8 +47,7 @@ double heatMax(const Parameters& parameters, const ViewRow& view)
     return double(view.key == "fetches" ? parameters.fetchRange : view.key == "error" ? parameters.errorRange : 1.f);
 }
 
-PaneCaption::PaneCaption(QWidget* parent)
-    : QAbstractButton(parent)
+PaneCaption::PaneCaption(QWidget* parent) : QAbstractButton(parent)
 {
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::PointingHandCursor);
@@ -97,8 +94,7 @@ void PaneCaption::paintEvent(QPaintEvent*)
     }
 }
 
-HeatLegend::HeatLegend(QWidget* parent)
-    : QWidget(parent)
+HeatLegend::HeatLegend(QWidget* parent) : QWidget(parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFont(smallFont());
@@ -120,7 +116,8 @@ void HeatLegend::paintEvent(QPaintEvent*)
     const QRect bar(12, 8, width() - 24, 10);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     for (std::size_t i = 0; i < kHeatStops.size(); ++i)
-        gradient.setColorAt(double(i) / double(kHeatStops.size() - 1), QColor::fromRgbF(float(kHeatStops[i][0]), float(kHeatStops[i][1]), float(kHeatStops[i][2])));
+        gradient.setColorAt(double(i) / double(kHeatStops.size() - 1),
+            QColor::fromRgbF(float(kHeatStops[i][0]), float(kHeatStops[i][1]), float(kHeatStops[i][2])));
     painter.fillRect(bar, gradient);
     painter.setPen(kBright);
     constexpr int kMarks = 4;
@@ -132,11 +129,11 @@ void HeatLegend::paintEvent(QPaintEvent*)
         painter.drawText(std::clamp(x - w / 2, 4, width() - w - 4), bar.bottom() + 5 + fontMetrics().ascent(), number);
     }
     painter.setPen(kQuiet);
-    painter.drawText(QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter, m_title == m_unit ? m_title : QString("%1 (%2)").arg(m_title, m_unit));
+    painter.drawText(
+        QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter, m_title == m_unit ? m_title : QString("%1 (%2)").arg(m_title, m_unit));
 }
 
-Hint::Hint(QWidget* parent)
-    : QWidget(parent)
+Hint::Hint(QWidget* parent) : QWidget(parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     hide();

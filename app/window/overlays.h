@@ -9,15 +9,13 @@
 #include <QWidget>
 #include <optional>
 
-namespace relievo
-{
+namespace relievo {
 
 // "relief 8-32+6": the technique and what decides its cost, for the caption of a pane.
 QString techniqueText(const State& state, std::size_t pane);
 
 // A chip in a pane's corner: letter (two panes only), technique, and measured cost. Pressed, it offers the techniques.
-class PaneCaption : public QAbstractButton
-{
+class PaneCaption : public QAbstractButton {
     Q_OBJECT
 public:
     explicit PaneCaption(QWidget* parent);
@@ -33,8 +31,7 @@ private:
 };
 
 // The colours of a heat view with numbers and unit.
-class HeatLegend : public QWidget
-{
+class HeatLegend : public QWidget {
     Q_OBJECT
 public:
     explicit HeatLegend(QWidget* parent);
@@ -50,8 +47,7 @@ private:
 };
 
 // One line of text in the middle of the lower edge, shown for as long as it matters.
-class Hint : public QWidget
-{
+class Hint : public QWidget {
     Q_OBJECT
 public:
     explicit Hint(QWidget* parent);

@@ -15,10 +15,8 @@
 #include <QSignalBlocker>
 #include <cmath>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kLabelWidth = 112, kNumberWidth = 56, kUnitWidth = 44; // px
 constexpr int kSegmentedLetters = 14; // choices with longer texts in all become a list
 
@@ -79,7 +77,10 @@ QString parameterTip(const ParameterRow& row)
 }
 
 ParameterEditor::ParameterEditor(const ParameterRow& row, QWidget* parent)
-    : QWidget(parent), m_row(row), m_value(get(Parameters{}, row)), m_label(new QLabel(qt(row.label), this))
+    : QWidget(parent)
+    , m_row(row)
+    , m_value(get(Parameters{}, row))
+    , m_label(new QLabel(qt(row.label), this))
 {
     setObjectName(qt(row.key));
     auto* layout = new QHBoxLayout(this);

@@ -8,12 +8,10 @@
 class QHBoxLayout;
 class QLabel;
 
-namespace relievo
-{
+namespace relievo {
 
 // Label and control, made for the row's kind: number with slider, whole number, choice, switch or colour.
-class ParameterEditor : public QWidget
-{
+class ParameterEditor : public QWidget {
     Q_OBJECT
 public:
     ParameterEditor(const ParameterRow& row, QWidget* parent = nullptr);

@@ -10,13 +10,15 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-namespace relievo
-{
+namespace relievo {
 ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_scopeLine(new QWidget(this)),
-      m_scopeChoice(new Segmented({{tr("Both"), tr("Changes reach both pictures"), {}}, {tr("A"), tr("Changes reach the left picture only"), {}},
-                                      {tr("B"), tr("Changes reach the right picture only"), {}}},
-          m_scopeLine))
+    : QWidget(parent)
+    , m_document(document)
+    , m_scopeLine(new QWidget(this))
+    , m_scopeChoice(
+          new Segmented({{tr("Both"), tr("Changes reach both pictures"), {}}, {tr("A"), tr("Changes reach the left picture only"), {}},
+                            {tr("B"), tr("Changes reach the right picture only"), {}}},
+              m_scopeLine))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -60,15 +62,12 @@ void ParameterPanel::addEditor(const ParameterRow& row, Section& section)
     m_editors.append(editor);
     connect(editor, &ParameterEditor::pressed, &m_document, &Document::beginGesture);
     connect(editor, &ParameterEditor::released, &m_document, &Document::endGesture);
-    connect(editor, &ParameterEditor::edited, this, [this, &row](const Value& value) {
-        m_document.edit(qt(row.label), [&](State& state) { assign(state, row, value, m_scope); });
-    });
-    connect(editor, &ParameterEditor::resetWanted, this, [this, &row] {
-        m_document.edit(tr("Reset %1").arg(qt(row.label)), [&](State& state) { reset(state, row, m_scope); });
-    });
-    connect(editor, &ParameterEditor::clearWanted, this, [this, &row] {
-        m_document.edit(tr("Same %1").arg(qt(row.label)), [&](State& state) { clearOverride(state, row, m_scope); });
-    });
+    connect(editor, &ParameterEditor::edited, this,
+        [this, &row](const Value& value) { m_document.edit(qt(row.label), [&](State& state) { assign(state, row, value, m_scope); }); });
+    connect(editor, &ParameterEditor::resetWanted, this,
+        [this, &row] { m_document.edit(tr("Reset %1").arg(qt(row.label)), [&](State& state) { reset(state, row, m_scope); }); });
+    connect(editor, &ParameterEditor::clearWanted, this,
+        [this, &row] { m_document.edit(tr("Same %1").arg(qt(row.label)), [&](State& state) { clearOverride(state, row, m_scope); }); });
 }
 
 void ParameterPanel::setScope(Scope scope)

@@ -8,15 +8,13 @@
 #include <QWidget>
 #include <array>
 
-namespace relievo
-{
+namespace relievo {
 
 class ParameterEditor;
 class Section;
 class Segmented;
 
-class ParameterPanel : public QWidget
-{
+class ParameterPanel : public QWidget {
     Q_OBJECT
 public:
     explicit ParameterPanel(Document& document, QWidget* parent = nullptr);

@@ -4,10 +4,8 @@
 #include "app/window/recent_files.h"
 #include <QSettings>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr auto kKey = "recentFiles";
 void store(const QStringList& list)
 {

@@ -4,8 +4,7 @@
 #pragma once
 #include <QStringList>
 
-namespace relievo
-{
+namespace relievo {
 
 inline constexpr int kRecentFiles = 10;
 

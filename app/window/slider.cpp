@@ -9,21 +9,24 @@
 #include <algorithm>
 #include <cmath>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr double kHandle = 5; // radius, px
 constexpr double kGrab = 9; // how near a press counts as on the handle, px
 
 SliderScale::Grain grainOf(Qt::KeyboardModifiers keys)
 {
-    return keys & Qt::ControlModifier ? SliderScale::Grain::Fine : keys & Qt::ShiftModifier ? SliderScale::Grain::Coarse : SliderScale::Grain::Normal;
+    return keys & Qt::ControlModifier ? SliderScale::Grain::Fine
+        : keys & Qt::ShiftModifier    ? SliderScale::Grain::Coarse
+                                      : SliderScale::Grain::Normal;
 }
 } // namespace
 
 Slider::Slider(const SliderScale& scale, double defaultValue, QWidget* parent)
-    : QWidget(parent), m_scale(scale), m_value(defaultValue), m_default(defaultValue)
+    : QWidget(parent)
+    , m_scale(scale)
+    , m_value(defaultValue)
+    , m_default(defaultValue)
 {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

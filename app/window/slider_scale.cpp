@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 // The power of ten times 1, 2 or 5 that is next below `x` > 0.
 double roundStep(double x)
 {
@@ -76,7 +74,13 @@ QString numberText(const ParameterRow& row, double value)
     if (std::holds_alternative<int Parameters::*>(row.member))
         return QString::number(std::lround(value));
     const double reach = std::max(std::abs(double(row.min)), std::abs(double(row.max)));
-    const int digits = row.unit == "deg" ? 1 : row.min > 0 && row.min < 0.001f ? 4 : reach <= 1 ? 3 : reach < 100 ? 2 : reach < 180 ? 1 : row.max >= 500 ? 2 : 1;
+    const int digits = row.unit == "deg"  ? 1
+        : row.min > 0 && row.min < 0.001f ? 4
+        : reach <= 1                      ? 3
+        : reach < 100                     ? 2
+        : reach < 180                     ? 1
+        : row.max >= 500                  ? 2
+                                          : 1;
     const QString text = QString::number(value, 'f', digits);
     return text.startsWith('-') && text.toDouble() == 0 ? text.mid(1) : text; // no "-0.00"
 }

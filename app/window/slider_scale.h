@@ -5,8 +5,7 @@
 #include "core/state/parameters.h"
 #include <QString>
 
-namespace relievo
-{
+namespace relievo {
 
 // Maps value to position in [0, 1] and back; both monotone, ends map to ends.
 struct SliderScale {

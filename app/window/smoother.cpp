@@ -5,10 +5,8 @@
 #include <cassert>
 #include <epoxy/gl.h>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 // Of `i` > 0 in the base: 1/2, 1/4, 3/4 ... for base 2.
 float radicalInverse(int i, int base)
 {

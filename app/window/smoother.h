@@ -7,12 +7,10 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-namespace relievo
-{
+namespace relievo {
 
 // All calls but the plain ones need the context current that draws the pictures. At most 256 pictures.
-class Smoother
-{
+class Smoother {
 public:
     Smoother() = default;
     ~Smoother();

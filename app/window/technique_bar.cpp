@@ -7,11 +7,9 @@
 #include <QComboBox>
 #include <algorithm>
 
-namespace relievo
-{
+namespace relievo {
 
-TechniqueBar::TechniqueBar(QWidget* parent)
-    : QWidget(parent), m_list(new QComboBox(this))
+TechniqueBar::TechniqueBar(QWidget* parent) : QWidget(parent), m_list(new QComboBox(this))
 {
     QVector<Segmented::Item> items;
     for (const TechniqueRow& row : kTechniques) {

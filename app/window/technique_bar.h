@@ -8,13 +8,11 @@
 
 class QComboBox;
 
-namespace relievo
-{
+namespace relievo {
 
 class Segmented;
 
-class TechniqueBar : public QWidget
-{
+class TechniqueBar : public QWidget {
     Q_OBJECT
 public:
     explicit TechniqueBar(QWidget* parent = nullptr);

@@ -5,8 +5,7 @@
 #include <QString>
 #include <string_view>
 
-namespace relievo
-{
+namespace relievo {
 
 inline QString qt(std::string_view text)
 {

@@ -15,10 +15,8 @@
 #include <QSvgRenderer>
 #include <QWidget>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 struct LookRow {
     const char *name, *window, *field, *raised, *hovered, *line, *text, *dim, *accent, *onAccent, *warning;
 };
@@ -89,13 +87,9 @@ QFont baseFont()
 }
 
 // Strokes of an SVG in the palette's text colour.
-class TintedSvg : public QIconEngine
-{
+class TintedSvg : public QIconEngine {
 public:
-    explicit TintedSvg(QString file)
-        : m_file(std::move(file))
-    {
-    }
+    explicit TintedSvg(QString file) : m_file(std::move(file)) { }
     QIconEngine* clone() const override { return new TintedSvg(m_file); }
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
     {

@@ -11,8 +11,7 @@
 class QApplication;
 class QWidget;
 
-namespace relievo
-{
+namespace relievo {
 
 enum class Look { Dark, Light };
 
@@ -32,14 +31,38 @@ QFont smallFont();
 void setRole(QWidget& widget, const char* role);
 
 // Colours by purpose; palettes carry them in these roles, so that widgets follow a change of look by themselves.
-inline QColor dimText(const QPalette& palette) { return palette.color(QPalette::PlaceholderText); }
-inline QColor lineColor(const QPalette& palette) { return palette.color(QPalette::Mid); } // borders
-inline QColor field(const QPalette& palette) { return palette.color(QPalette::Base); } // what can be typed or dropped into
-inline QColor raised(const QPalette& palette) { return palette.color(QPalette::Button); } // what can be pressed
-inline QColor hovered(const QPalette& palette) { return palette.color(QPalette::Midlight); }
-inline QColor accent(const QPalette& palette) { return palette.color(QPalette::Highlight); }
-inline QColor onAccent(const QPalette& palette) { return palette.color(QPalette::HighlightedText); }
-inline QColor warningColor(const QPalette& palette) { return palette.color(QPalette::BrightText); }
+inline QColor dimText(const QPalette& palette)
+{
+    return palette.color(QPalette::PlaceholderText);
+}
+inline QColor lineColor(const QPalette& palette)
+{
+    return palette.color(QPalette::Mid);
+} // borders
+inline QColor field(const QPalette& palette)
+{
+    return palette.color(QPalette::Base);
+} // what can be typed or dropped into
+inline QColor raised(const QPalette& palette)
+{
+    return palette.color(QPalette::Button);
+} // what can be pressed
+inline QColor hovered(const QPalette& palette)
+{
+    return palette.color(QPalette::Midlight);
+}
+inline QColor accent(const QPalette& palette)
+{
+    return palette.color(QPalette::Highlight);
+}
+inline QColor onAccent(const QPalette& palette)
+{
+    return palette.color(QPalette::HighlightedText);
+}
+inline QColor warningColor(const QPalette& palette)
+{
+    return palette.color(QPalette::BrightText);
+}
 
 // An icon of resources/icons in the text colour of the palette, sharp at any scale; dimmed when disabled.
 QIcon icon(std::string_view name);

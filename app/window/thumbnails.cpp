@@ -7,10 +7,8 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kSamples = 4; // along each side of a pixel
 
 struct Source {
@@ -70,7 +68,8 @@ QString mapFacts(const Material& material, MapKind kind)
         return QString("%1 \u00d7 %2   %3 bit%4").arg(width).arg(height).arg(bits).arg(isFloat ? " float" : "");
     };
     if (kind == MapKind::Height)
-        return material.height ? facts(material.height->width(), material.height->height(), material.height->storedBits(), false) : QString();
+        return material.height ? facts(material.height->width(), material.height->height(), material.height->storedBits(), false)
+                               : QString();
     const Image* image = material.map(kind);
     return image ? facts(image->width, image->height, image->storedBits, image->storedFloat) : QString();
 }

@@ -6,8 +6,7 @@
 #include <QImage>
 #include <QString>
 
-namespace relievo
-{
+namespace relievo {
 
 // The map scaled to fit size x size pixels, each the mean of at most 16 samples; null when the material has no such map.
 QImage thumbnail(const Material& material, MapKind kind, int size);

@@ -1,11 +1,11 @@
 // Drawing the panes: when, how finely, and what stands over them.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/viewport.h"
 #include "app/window/gl_calls.h"
 #include "app/window/overlays.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
-#include "app/window/viewport.h"
 #include "core/state/techniques.h"
 #include "render/windowless.h"
 #include <QMenu>
@@ -13,10 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kRestDelay = 100; // ms without a move until the full picture
 constexpr int kMeasureDelay = 60; // ms from the full picture to the counting of fetches
 constexpr int kSmoothLimit = 400; // ms that one more picture may keep the hand waiting
@@ -30,7 +28,12 @@ int scaled(int pixels, double scale)
 } // namespace
 
 Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidget* parent)
-    : QOpenGLWidget(parent), m_document(document), m_assets(assets), m_messages(messages), m_legend(new HeatLegend(this)), m_hint(new Hint(this))
+    : QOpenGLWidget(parent)
+    , m_document(document)
+    , m_assets(assets)
+    , m_messages(messages)
+    , m_legend(new HeatLegend(this))
+    , m_hint(new Hint(this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 240);
@@ -69,8 +72,9 @@ void Viewport::initializeGL()
 {
     const int version = openGLVersion();
     if (version < 41)
-        return m_messages.set(
-            "picture", Error{"OpenGL 4.1 is needed", QString("OpenGL %1.%2").arg(version / 10).arg(version % 10).toStdString(), "Update the graphics driver"});
+        return m_messages.set("picture",
+            Error{"OpenGL 4.1 is needed", QString("OpenGL %1.%2").arg(version / 10).arg(version % 10).toStdString(),
+                "Update the graphics driver"});
     m_renderer = std::make_unique<Renderer>();
     m_pictures = std::make_unique<Pictures>();
 }
@@ -83,7 +87,8 @@ void Viewport::resizeGL(int, int)
 
 Viewport::PaneArea Viewport::area(int pane) const
 {
-    const int width = int(std::lround(this->width() * devicePixelRatioF())), height = int(std::lround(this->height() * devicePixelRatioF()));
+    const int width = int(std::lround(this->width() * devicePixelRatioF())),
+              height = int(std::lround(this->height() * devicePixelRatioF()));
     if (paneCount() == 1)
         return {0, width, height};
     const int half = (width - kGap) / 2;
@@ -129,12 +134,17 @@ void Viewport::paintGL()
     if (!m_renderer || !m_assets.ready())
         return clearTo(defaultFramebufferObject(), 0.2f, 0.2f, 0.2f);
     static const bool timing = qEnvironmentVariableIsSet("TIMING");
-    QElapsedTimer c; c.start();
+    QElapsedTimer c;
+    c.start();
     if (m_stale)
         drawPanes(m_moving ? m_pacer.scale() : 1.);
-    if (timing) printf("draw %.1f ", double(c.nsecsElapsed())*1e-6);
+    if (timing)
+        printf("draw %.1f ", double(c.nsecsElapsed()) * 1e-6);
     showPanes();
-    if (timing) { finishDrawing(); printf("show %.1f\n", double(c.nsecsElapsed())*1e-6); }
+    if (timing) {
+        finishDrawing();
+        printf("show %.1f\n", double(c.nsecsElapsed()) * 1e-6);
+    }
     Q_EMIT painted(m_shownScale >= 1.);
 }
 
@@ -143,7 +153,8 @@ Expected<void> Viewport::drawPane(int pane, double scale, glm::vec2 shift)
     const PaneArea size = area(pane);
     Framebuffer& picture = m_pictures->drawn[std::size_t(pane)];
     picture.resize(scaled(size.width, scale), scaled(size.height, scale));
-    const Target target{picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift};
+    const Target target{
+        picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift};
     return m_renderer->draw(m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view, target);
 }
 
@@ -162,7 +173,8 @@ void Viewport::drawPanes(double scale)
     m_stale = false;
     m_shownScale = scale;
     // Later: what hears of it may change the layout, which must not happen while painting.
-    QMetaObject::invokeMethod(this, [this, troubles] { m_messages.set("picture", troubles); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, troubles] { m_messages.set("picture", troubles); }, Qt::QueuedConnection);
     if (scale >= 1.)
         m_measuring.start(kMeasureDelay);
 }
@@ -271,7 +283,10 @@ void Viewport::updateOverlays()
             continue;
         const auto& measured = m_measured[std::size_t(pane)];
         const QString cost = measured ? tr("%1 fetches/px").arg(measured->meanFetches, 0, 'f', 1) : QString();
-        caption->show(paneCount() == 1 ? QString() : pane == 0 ? "A" : "B", techniqueText(state, std::size_t(pane)), cost, pane == m_activePane);
+        caption->show(paneCount() == 1 ? QString()
+                : pane == 0            ? "A"
+                                       : "B",
+            techniqueText(state, std::size_t(pane)), cost, pane == m_activePane);
     }
     const ViewRow* view = findView(state.view);
     m_legend->setVisible(view && view->isHeat);
@@ -291,7 +306,8 @@ void Viewport::chooseTechnique(int pane)
         action->setCheckable(true);
         action->setChecked(m_document.state().panes[std::size_t(pane)].technique == row.key);
         connect(action, &QAction::triggered, this, [this, pane, &row] {
-            m_document.edit(tr("Technique %1").arg(qt(row.label)), [&](State& state) { state.panes[std::size_t(pane)].technique = row.key; });
+            m_document.edit(
+                tr("Technique %1").arg(qt(row.label)), [&](State& state) { state.panes[std::size_t(pane)].technique = row.key; });
         });
     }
     menu->popup(m_captions[std::size_t(pane)]->mapToGlobal(QPoint(0, kRowHeight + 4)));

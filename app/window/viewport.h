@@ -16,15 +16,13 @@
 #include <memory>
 #include <optional>
 
-namespace relievo
-{
+namespace relievo {
 
 class HeatLegend;
 class Hint;
 class PaneCaption;
 
-class Viewport : public QOpenGLWidget
-{
+class Viewport : public QOpenGLWidget {
     Q_OBJECT
 public:
     Viewport(Document& document, Assets& assets, Messages& messages, QWidget* parent = nullptr);

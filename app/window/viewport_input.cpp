@@ -9,10 +9,8 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-namespace relievo
-{
-namespace
-{
+namespace relievo {
+namespace {
 constexpr int kFlyTick = 16; // ms
 constexpr double kFlySpeed = 1.; // distances to the target in a second
 constexpr int kFlyKeys[] = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E};
@@ -59,7 +57,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     case Gesture::Light:
         m_document.edit(tr("Turn light"), [&](State& state) { turnLight(state.parameters, moved.x(), moved.y()); });
         const Parameters& p = m_document.state().parameters;
-        m_hint->say(tr("Light  direction %1\u00b0  height %2\u00b0").arg(double(p.lightYaw), 0, 'f', 0).arg(double(p.lightPitch), 0, 'f', 0));
+        m_hint->say(
+            tr("Light  direction %1\u00b0  height %2\u00b0").arg(double(p.lightYaw), 0, 'f', 0).arg(double(p.lightPitch), 0, 'f', 0));
         placeOverlays();
     }
 }
@@ -96,7 +95,8 @@ bool Viewport::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if ((m_drag == Gesture::Fly && std::find(std::begin(kFlyKeys), std::end(kFlyKeys), key) != std::end(kFlyKeys)) || key == Qt::Key_L) {
+        if ((m_drag == Gesture::Fly && std::find(std::begin(kFlyKeys), std::end(kFlyKeys), key) != std::end(kFlyKeys))
+            || key == Qt::Key_L) {
             event->accept();
             return true;
         }

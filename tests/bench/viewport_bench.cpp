@@ -15,8 +15,7 @@
 #include <functional>
 #include <vector>
 
-namespace
-{
+namespace {
 using namespace relievo;
 
 bool workUntil(const std::function<bool()>& done, int limit = 20000)
@@ -103,11 +102,12 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "the window shows no picture\n");
         return 1;
     }
-    std::printf("window %dx%d, picture %dx%d, %s on %s\n", window.width(), window.height(), window.viewport().width(), window.viewport().height(),
-        state.panes[0].technique.c_str(), state.mesh.c_str());
+    std::printf("window %dx%d, picture %dx%d, %s on %s\n", window.width(), window.height(), window.viewport().width(),
+        window.viewport().height(), state.panes[0].technique.c_str(), state.mesh.c_str());
     for (int run = 0; run < 5; ++run) {
         const Drag result = drag(window, 60);
-        std::printf("drag: %.1f frames/s (median), slowest frame %.1f ms, at %.2f of the resolution each way; full picture %.0f ms after the last move\n",
+        std::printf("drag: %.1f frames/s (median), slowest frame %.1f ms, at %.2f of the resolution each way; full picture %.0f ms after "
+                    "the last move\n",
             result.framesPerSecond, result.slowest, result.scale, result.toFull);
         workUntil([&] { return window.viewport().isSettled(); });
     }

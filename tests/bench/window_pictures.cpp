@@ -1,8 +1,8 @@
 // Pictures of the editor window in its states, to be looked at: window_pictures FOLDER [NAME ...].
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/export_dialog.h"
 #include "app/window/editing.h"
+#include "app/window/export_dialog.h"
 #include "app/window/files.h"
 #include "app/window/main_window.h"
 #include "app/window/message_line.h"
@@ -19,8 +19,7 @@
 #include <cstdio>
 #include <functional>
 
-namespace
-{
+namespace {
 using namespace relievo;
 
 // Lets the window work until `done`, at most ten seconds, and a little longer so that the last picture is on the screen.
@@ -53,7 +52,8 @@ void twoPanes(MainWindow& window)
 const Scene kScenes[] = {
     {"first", {1280, 800}, Look::Dark, [](MainWindow&) {}},
     {"first-light", {1280, 800}, Look::Light, [](MainWindow&) {}},
-    {"wide", {1600, 1000}, Look::Dark, [](MainWindow& window) { window.assets().propose("Mesh", [](State& state) { state.mesh = "sphere"; }); }},
+    {"wide", {1600, 1000}, Look::Dark,
+        [](MainWindow& window) { window.assets().propose("Mesh", [](State& state) { state.mesh = "sphere"; }); }},
     {"two", {1600, 1000}, Look::Dark, twoPanes},
     {"two-light", {1280, 800}, Look::Light,
         [](MainWindow& window) {
@@ -68,8 +68,9 @@ const Scene kScenes[] = {
         }},
     {"warnings", {1280, 800}, Look::Dark,
         [](MainWindow& window) {
-            window.messages().set("a", Warnings{{"normal-dx", "rock_nor_dx.png is a DirectX style normal map; its green channel was flipped."},
-                                           {"float-range", "rock_disp.exr leaves 0 to 1; its heights were mapped from -0.23 .. 1.7."}});
+            window.messages().set("a",
+                Warnings{{"normal-dx", "rock_nor_dx.png is a DirectX style normal map; its green channel was flipped."},
+                    {"float-range", "rock_disp.exr leaves 0 to 1; its heights were mapped from -0.23 .. 1.7."}});
             window.document().edit("Maps", [](State& state) {
                 state.slots[std::size_t(MapKind::Normal)].file = "/home/anna/rock/rock_nor_dx.png";
                 state.slots[std::size_t(MapKind::AmbientOcclusion)].file = "/home/anna/rock/rock_ao.png";
