@@ -133,18 +133,9 @@ void Viewport::paintGL()
 {
     if (!m_renderer || !m_assets.ready())
         return clearTo(defaultFramebufferObject(), 0.2f, 0.2f, 0.2f);
-    static const bool timing = qEnvironmentVariableIsSet("TIMING");
-    QElapsedTimer c;
-    c.start();
     if (m_stale)
         drawPanes(m_moving ? m_pacer.scale() : 1.);
-    if (timing)
-        printf("draw %.1f ", double(c.nsecsElapsed()) * 1e-6);
     showPanes();
-    if (timing) {
-        finishDrawing();
-        printf("show %.1f\n", double(c.nsecsElapsed()) * 1e-6);
-    }
     Q_EMIT painted(m_shownScale >= 1.);
 }
 

@@ -56,7 +56,7 @@ glm::vec3 around(float share)
 // 4 x 2 tiles. At a pole each triangle has its own vertex with the UV of its middle, so that the pinch stays a point.
 void makeSphere(Mesh& mesh)
 {
-    constexpr unsigned kColumns = 128, kRows = 64;
+    constexpr unsigned kColumns = 80, kRows = 40;
     addGrid(mesh, kColumns, kRows, [](float s, float t) {
         const float polar = kPi * t;
         const bool north = t == 0.f, south = t == 1.f;
@@ -71,7 +71,7 @@ void makeSphere(Mesh& mesh)
 void makeCylinder(Mesh& mesh)
 {
     constexpr float kRadius = 1.f / kPi, kTile = 0.5f;
-    constexpr unsigned kColumns = 128;
+    constexpr unsigned kColumns = 72;
     addGrid(mesh, kColumns, 16, [](float s, float t) {
         return Point{kRadius * around(s) + glm::vec3(0.f, 0.5f - t, 0.f), around(s), {4.f * s, 2.f * t}};
     });
@@ -88,7 +88,7 @@ void makeCylinder(Mesh& mesh)
 void makeTorus(Mesh& mesh)
 {
     constexpr float kTube = 1.f / 7.f, kRing = 0.5f - kTube;
-    addGrid(mesh, 160, 64, [](float s, float t) {
+    addGrid(mesh, 120, 48, [](float s, float t) {
         const float angle = 2.f * kPi * t; // from the inside over the top to the outside
         const glm::vec3 n = around(s) * -std::cos(angle) + glm::vec3(0.f, std::sin(angle), 0.f);
         return Point{kRing * around(s) + kTube * n, n, {5.f * s, 2.f * t}};
