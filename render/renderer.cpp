@@ -191,7 +191,13 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     };
     if (const LinkedProgram* program = m->meshProgramFor(programFeatures(parameters, technique->key, view, maps, target.linear), error)) {
         use(*program);
-        m->uploads.drawMesh();
+        // Faces towards the eye first: those behind them fail the depth test before they are searched.
+        glEnable(GL_CULL_FACE);
+        for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
+            glCullFace(hidden);
+            m->uploads.drawMesh();
+        }
+        glDisable(GL_CULL_FACE);
     }
     if (parameters.wireframe) {
         if (const LinkedProgram* lines = m->program(
