@@ -183,7 +183,7 @@ std::optional<Image> normalImage(const Material& material, const Parameters& par
 std::string fileStem(const std::string& name)
 {
     std::string stem;
-    bool capital = false; // words are joined: in "Hammered_metal_Roughness" a reader takes "metal_Roughness" for a packed map
+    bool capital = false; // words are joined, so that the map's suffix stays a word of its own
     for (const char c : name) {
         const bool lower = c >= 'a' && c <= 'z';
         const bool plain = lower || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';

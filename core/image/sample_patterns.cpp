@@ -62,7 +62,7 @@ Point bricks(glm::vec2 uv)
     constexpr std::array<glm::vec3, 6> kClay = {{{0.38f, 0.215f, 0.175f}, {0.52f, 0.275f, 0.21f}, {0.60f, 0.34f, 0.25f},
         {0.66f, 0.39f, 0.285f}, {0.61f, 0.315f, 0.225f}, {0.76f, 0.49f, 0.35f}}};
     glm::vec3 clay = pick(kClay, randomOf(id, 7));
-    clay *= 1.f + 0.10f * lumps + 0.05f * grain;
+    clay *= 0.88f + 0.10f * lumps + 0.05f * grain;
     clay = glm::mix(
         clay, glm::vec3(0.30f, 0.17f, 0.14f), 0.55f * smooth(0.15f, 0.6f, fractal(uv, 7, 3, 28)) * randomOf(id, 8)); // kiln marks
     clay = glm::mix(clay, glm::vec3(0.80f, 0.70f, 0.61f), 0.30f * smooth(0.12f, 0.65f, fractal(uv, 6, 3, 29))); // lime bloom

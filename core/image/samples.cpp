@@ -116,7 +116,7 @@ Sample makeSample(int size, Formula formula, Recolor recolor, float cavity, bool
 } // namespace
 
 const std::array<SampleRow, 6> kSamples = {{
-    {"bricks", "Bricks", 0.045f, [](int size) { return makeSample(size, pattern::bricks, nullptr, 1.0f, false); },
+    {"bricks", "Bricks", 0.028f, [](int size) { return makeSample(size, pattern::bricks, nullptr, 1.0f, false); },
         "Hand-moulded bricks in lime mortar."},
     {"cobblestones", "Cobblestones", 0.09f, [](int size) { return makeSample(size, pattern::cobblestones, nullptr, 1.0f, false); },
         "Worn stones with moss in the joints."},

@@ -9,12 +9,13 @@ rm -f "$folder"/*.glb
 sources=(sample:cobblestones sample:hammered sample:planks)
 if [ -d "$data/materials" ]; then
   found=()
+  has() { [ -n "$(find "$1" -maxdepth 1 -iname "*.[pj][np]g" | grep -iE "$2")" ]; }
   for set in "$data"/materials/*/; do
-    if [ ${#found[@]} -lt 3 ] && [ -n "$(find "$set" -maxdepth 1 -iname '*disp*.png' -o -maxdepth 1 -iname '*height*.png')" ]; then
+    if [ ${#found[@]} -lt 3 ] && has "$set" 'disp|height' && has "$set" 'color|albedo|diff'; then
       found+=("$set")
     fi
   done
-  sources+=("${found[@]}")
+  sources+=(${found[@]+"${found[@]}"})
 fi
 meshes=(sphere plane torus box cylinder sphere)
 n=0

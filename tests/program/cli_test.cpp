@@ -46,9 +46,9 @@ std::vector<HitLine> hitsOf(const std::string& file)
 
 TEST(Cli, VersionAndHelp)
 {
-    EXPECT_EQ(relievo("--version").out.rfind("relievo ", 0), 0u);
+    EXPECT_EQ(runRelievo("--version").out.rfind("relievo ", 0), 0u);
     for (const char* command : {"", "render", "trace", "bake", "export", "describe", "info"}) {
-        const Run run = relievo(std::string(command) + " --help");
+        const ProgramRun run = runRelievo(std::string(command) + " --help");
         EXPECT_EQ(run.exitCode, 0) << command;
         EXPECT_NE(run.out.find("Usage"), std::string::npos) << command;
     }
@@ -58,13 +58,13 @@ TEST(Cli, WrongUsageIsTwo)
 {
     TestFolder folder("usage");
     const std::string out = "-o " + (folder / "x.png");
-    for (const std::string& arguments : {std::string("render ") + kSource, "render " + out, "render " + kSource + out + " --size 10",
-             "render " + kSource + out + " --view sideways", "render " + kSource + out + " --technique magic",
-             "render " + kSource + out + " --set depth=9", "render " + kSource + out + " --set deep=1",
-             "render " + kSource + out + " --camera pitch=100", "render " + kSource + out + " --nonsense", "render " + kSource + "-o x.gif",
-             "bake " + kSource + out + " --map none", "export " + kSource + out + " --target none", "describe nothing",
-             std::string("no-such-command")}) {
-        const Run run = relievo(arguments);
+    for (const std::string& arguments : std::vector<std::string>{std::string("render ") + kSource, "render " + out,
+             "render " + kSource + out + " --size 10", "render " + kSource + out + " --view sideways",
+             "render " + kSource + out + " --technique magic", "render " + kSource + out + " --set depth=9",
+             "render " + kSource + out + " --set deep=1", "render " + kSource + out + " --camera pitch=100",
+             "render " + kSource + out + " --nonsense", "render " + kSource + "-o x.gif", "bake " + kSource + out + " --map none",
+             "export " + kSource + out + " --target none", "describe nothing", std::string("no-such-command")}) {
+        const ProgramRun run = runRelievo(arguments);
         EXPECT_EQ(run.exitCode, 2) << arguments << run.err;
         EXPECT_FALSE(run.err.empty()) << arguments;
     }
@@ -85,7 +85,7 @@ TEST(Cli, FailuresAreOneWithOneSentenceThatNamesTheFile)
              {"render " + kSource + out + " --environment " + (folder / "none.hdr"), "none.hdr"},
              {"render sample:nothing" + out, "sample:nothing"}, {"render " + kSource + out + " --preset nothing", "nothing"},
              {"trace " + kSource + "--rays " + (folder / "none.csv") + out, "none.csv"}, {"info " + (folder / "none.png"), "none.png"}}) {
-        const Run run = relievo(arguments);
+        const ProgramRun run = runRelievo(arguments);
         EXPECT_EQ(run.exitCode, 1) << arguments;
         EXPECT_EQ(run.err.rfind("relievo: error: ", 0), 0u) << run.err;
         EXPECT_NE(run.err.find(named), std::string::npos) << run.err;
@@ -97,13 +97,13 @@ TEST(Cli, FailuresAreOneWithOneSentenceThatNamesTheFile)
 TEST(Cli, RenderWritesPngAndExr)
 {
     TestFolder folder("render");
-    Run run = relievo("render " + kSource + "-o " + (folder / "a.png") + " --size 64x48 --json");
+    ProgramRun run = runRelievo("render " + kSource + "-o " + (folder / "a.png") + " --size 64x48 --json");
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_TRUE(isPng(folder / "a.png"));
     EXPECT_EQ(json::parse(run.out)["width"], 64);
-    run = relievo("render " + kSource + "-o " + (folder / "a.exr") + " --size 64x48 --views shaded,depth,fetches");
+    run = runRelievo("render " + kSource + "-o " + (folder / "a.exr") + " --size 64x48 --views shaded,depth,fetches");
     EXPECT_EQ(run.exitCode, 0) << run.err;
-    const Run info = relievo("info " + (folder / "a.exr") + " --json");
+    const ProgramRun info = runRelievo("info " + (folder / "a.exr") + " --json");
     EXPECT_EQ(info.exitCode, 0) << info.err;
 }
 
@@ -111,7 +111,7 @@ TEST(Cli, RenderFollowsItsOptions)
 {
     TestFolder folder("options");
     const auto rendered = [&](const std::string& options) {
-        const Run run = relievo("render " + kSource + "-o " + (folder / "x.png") + " --size 48x48 " + options);
+        const ProgramRun run = runRelievo("render " + kSource + "-o " + (folder / "x.png") + " --size 48x48 " + options);
         EXPECT_EQ(run.exitCode, 0) << run.err;
         return *relievo::readText(folder / "x.png");
     };
@@ -127,7 +127,7 @@ TEST(Cli, OptionsApplyInTheirOrder)
     TestFolder folder("order");
     // --set wins over --preset, whatever the order on the line.
     const std::string a = folder / "a.json";
-    const Run run = relievo("export " + kSource + "--set maxSteps=77 --preset fine --target preset -o " + a);
+    const ProgramRun run = runRelievo("export " + kSource + "--set maxSteps=77 --preset fine --target preset -o " + a);
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_EQ(json::parse(*relievo::readText(a))["parameters"]["maxSteps"], 77);
     EXPECT_EQ(json::parse(*relievo::readText(a))["parameters"]["minSteps"], 64);
@@ -139,7 +139,7 @@ TEST(Cli, TraceAnswersEveryRay)
     ASSERT_TRUE(relievo::writeAtomically(
         folder / "rays.csv", std::string_view("u,v,du,dv\n0.5,0.5,0,0\n0.1,0.2,0.3,-0.1\r\nnan,0,0,0\n0,0,inf,0\n0.25,0.75,1e-3,0\n")));
     for (const char* technique : {"flat", "bump", "parallax", "relief", "reference"}) {
-        const Run run = relievo(
+        const ProgramRun run = runRelievo(
             "trace " + kSource + "--technique " + technique + " --rays " + (folder / "rays.csv") + " -o " + (folder / "hits.csv"));
         ASSERT_EQ(run.exitCode, 0) << run.err;
         const auto hits = hitsOf(folder / "hits.csv");
@@ -152,10 +152,12 @@ TEST(Cli, TraceAnswersEveryRay)
         }
         EXPECT_EQ(hits[0].hit, 1);
         EXPECT_EQ(hits[0].u, 0.5);
-        if (std::string(technique) == "flat")
+        if (std::string(technique) == "flat") {
             EXPECT_EQ(hits[1].t, 0.);
-        if (std::string(technique) == "parallax")
+        }
+        if (std::string(technique) == "parallax") {
             EXPECT_EQ(hits[1].fetches, 1);
+        }
     }
 }
 
@@ -164,14 +166,14 @@ TEST(Cli, TraceToldByTheHeader)
     TestFolder folder("header");
     const auto traced = [&](const std::string& rays) {
         EXPECT_TRUE(relievo::writeAtomically(folder / "rays.csv", rays));
-        return relievo("trace " + kSource + "--technique relief --rays " + (folder / "rays.csv") + " -o " + (folder / "hits.csv"));
+        return runRelievo("trace " + kSource + "--technique relief --rays " + (folder / "rays.csv") + " -o " + (folder / "hits.csv"));
     };
     EXPECT_EQ(traced("u,v,du,dv,cosView\n0,0,1,0,1\n").exitCode, 0);
     const int frontal = hitsOf(folder / "hits.csv").front().fetches;
     EXPECT_EQ(traced("u,v,du,dv,cosView\n0,0,1,0,0.01\n").exitCode, 0);
     EXPECT_GT(hitsOf(folder / "hits.csv").front().fetches, frontal); // more steps at grazing views
     for (const char* wrong : {"", "x,y\n1,2\n", "u,v,du,dv\n1,2,3\n", "u,v,du,dv\n1,2,3,four\n"}) {
-        const Run run = traced(wrong);
+        const ProgramRun run = traced(wrong);
         EXPECT_EQ(run.exitCode, 1) << wrong;
         EXPECT_NE(run.err.find("rays.csv"), std::string::npos);
     }
@@ -183,7 +185,7 @@ TEST(Cli, BakeWritesNormals)
     TestFolder folder("bake");
     for (const char* bits : {"8", "16", "32"}) {
         const std::string file = folder / (std::string("n") + bits + (bits == std::string("32") ? ".exr" : ".png"));
-        const Run run = relievo("bake " + kSource + "--map normal --bits " + bits + " -o " + file);
+        const ProgramRun run = runRelievo("bake " + kSource + "--map normal --bits " + bits + " -o " + file);
         EXPECT_EQ(run.exitCode, 0) << run.err;
         EXPECT_TRUE(fs::exists(file));
     }
@@ -191,20 +193,20 @@ TEST(Cli, BakeWritesNormals)
 
 TEST(Cli, DescribeListsEveryParameter)
 {
-    const Run run = relievo("describe parameters --json");
+    const ProgramRun run = runRelievo("describe parameters --json");
     ASSERT_EQ(run.exitCode, 0);
     const json tables = json::parse(run.out);
     ASSERT_EQ(tables["parameters"].size(), relievo::kParameters.size());
     for (std::size_t i = 0; i < relievo::kParameters.size(); ++i)
         EXPECT_EQ(tables["parameters"][i]["key"], std::string(relievo::kParameters[i].key));
-    EXPECT_EQ(json::parse(relievo("describe --json").out).size(), 6u);
+    EXPECT_EQ(json::parse(runRelievo("describe --json").out).size(), 6u);
 }
 
 TEST(Cli, TheReferencePageIsFresh)
 {
     const auto page = relievo::readText(RELIEVO_SOURCE "/resources/help/reference.md");
     ASSERT_TRUE(page);
-    EXPECT_TRUE(page->ends_with(relievo("describe --markdown").out))
+    EXPECT_TRUE(page->ends_with(runRelievo("describe --markdown").out))
         << "run: relievo describe --markdown, and put it below the head of resources/help/reference.md";
 }
 
@@ -213,7 +215,7 @@ TEST(Cli, UnwritableOutputKeepsTheOldFile)
     TestFolder folder("unwritable");
     const std::string file = folder / "x.png/below.png"; // its folder is a file
     ASSERT_TRUE(relievo::writeAtomically(folder / "x.png", std::string_view("old")));
-    const Run run = relievo("render " + kSource + "--size 16x16 -o " + file);
+    const ProgramRun run = runRelievo("render " + kSource + "--size 16x16 -o " + file);
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_NE(run.err.find("below.png"), std::string::npos) << run.err;
     EXPECT_EQ(*relievo::readText(folder / "x.png"), "old");
@@ -223,12 +225,12 @@ TEST(Cli, UnwritableOutputKeepsTheOldFile)
 TEST(Cli, AProjectWhoseTexturesMovedKeepsTheRest)
 {
     TestFolder folder("moved");
-    const Run made = relievo("bake " + kSource + "--map normal -o " + (folder / "a_normal.png"));
+    const ProgramRun made = runRelievo("bake " + kSource + "--map normal -o " + (folder / "a_normal.png"));
     ASSERT_EQ(made.exitCode, 0);
     ASSERT_TRUE(relievo::writeAtomically(folder / "p.relievo",
         std::string_view(
             R"({"relievo":1,"maps":{"height":{"file":"gone.png"},"normal":{"file":"a_normal.png"}},"panes":[{"technique":"bump"}]})")));
-    const Run run = relievo("render " + (folder / "p.relievo") + " --size 32x32 -o " + (folder / "x.png"));
+    const ProgramRun run = runRelievo("render " + (folder / "p.relievo") + " --size 32x32 -o " + (folder / "x.png"));
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_NE(run.err.find("gone.png"), std::string::npos) << run.err;
     EXPECT_TRUE(isPng(folder / "x.png"));
@@ -242,7 +244,8 @@ TEST(Cli, ShadersOfTheFolderWarnOnTheCpu)
     ASSERT_TRUE(relievo::writeAtomically(folder / "techniques/relief.glsl", text + "\n// changed\n"));
     ASSERT_TRUE(relievo::writeAtomically(folder / "rays.csv", std::string_view("u,v,du,dv\n0,0,0,0\n")));
     setenv("RELIEVO_SHADERS", folder.path.c_str(), 1);
-    const Run run = relievo("trace " + kSource + "--technique relief --rays " + (folder / "rays.csv") + " -o " + (folder / "h.csv"));
+    const ProgramRun run
+        = runRelievo("trace " + kSource + "--technique relief --rays " + (folder / "rays.csv") + " -o " + (folder / "h.csv"));
     unsetenv("RELIEVO_SHADERS");
     EXPECT_EQ(run.exitCode, 0);
     EXPECT_NE(run.err.find("relief.glsl"), std::string::npos) << run.err;

@@ -61,7 +61,7 @@ TEST_P(RealSet, IsDrawnByEveryTechnique)
 {
     TestFolder folder("set_" + GetParam());
     const std::string set = (kMaterials / GetParam()).string();
-    const Run info = relievo("info --json " + set);
+    const ProgramRun info = runRelievo("info --json " + set);
     if (mayBeRefused(GetParam())) {
         EXPECT_EQ(info.exitCode, 1);
         EXPECT_NE(info.err.find("cannot be read"), std::string::npos) << info.err;
@@ -72,12 +72,13 @@ TEST_P(RealSet, IsDrawnByEveryTechnique)
     const bool hasHeight = std::any_of(found["maps"].begin(), found["maps"].end(), [](const json& map) { return map["kind"] == "height"; });
     for (const std::string technique : {"flat", "bump", "parallax", "relief"}) {
         const std::string out = folder / (technique + ".png");
-        const Run run = relievo("render " + set + " --technique " + technique + " --size 64x48 --samples 1 -o " + out);
+        const ProgramRun run = runRelievo("render " + set + " --technique " + technique + " --size 64x48 --samples 1 -o " + out);
         const bool possible = hasHeight || technique == "flat" || technique == "bump";
         EXPECT_EQ(run.exitCode, possible ? 0 : 1) << technique << run.err;
         EXPECT_EQ(fs::exists(out), possible) << technique;
-        if (!possible)
+        if (!possible) {
             EXPECT_NE(run.err.find("height map"), std::string::npos) << run.err;
+        }
     }
 }
 
@@ -90,7 +91,7 @@ TEST_P(RealSet, CpuAndGpuTraceAlike)
     for (const std::string technique : {"flat", "bump", "parallax", "relief"}) {
         std::vector<std::vector<double>> t(2);
         for (const int device : {0, 1}) {
-            const Run run = relievo("trace " + (kMaterials / GetParam()).string() + " --technique " + technique + " --device "
+            const ProgramRun run = runRelievo("trace " + (kMaterials / GetParam()).string() + " --technique " + technique + " --device "
                 + (device ? "gl" : "cpu") + " --rays " + (folder / "rays.csv") + " -o " + (folder / "hits.csv"));
             ASSERT_EQ(run.exitCode, 0) << run.err;
             std::ifstream in(folder / "hits.csv");
@@ -122,7 +123,7 @@ TEST(RealSets, ConventionsAreTheMeasuredTruth)
         std::istringstream row(line);
         for (std::string cell; std::getline(row, cell, '\t');)
             cells.push_back(cell);
-        const Run info = relievo("info --json " + (kMaterials / cells[0]).string());
+        const ProgramRun info = runRelievo("info --json " + (kMaterials / cells[0]).string());
         ASSERT_EQ(info.exitCode, 0) << info.err;
         const json found = json::parse(info.out);
         std::map<std::string, json> byKind;

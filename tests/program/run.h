@@ -8,16 +8,16 @@
 #include <string>
 #include <sys/wait.h>
 
-struct Run {
+struct ProgramRun {
     int exitCode = -1;
     std::string out, err;
 };
 
 // Runs `relievo ARGUMENTS` through the shell; a crash gives an exit code above 128.
-inline Run relievo(const std::string& arguments)
+inline ProgramRun runRelievo(const std::string& arguments)
 {
     const std::filesystem::path errors = std::filesystem::temp_directory_path() / ("relievo_err_" + std::to_string(getpid()));
-    Run run;
+    ProgramRun run;
     FILE* pipe = popen(("timeout 60 " RELIEVO_BIN "/relievo " + arguments + " 2>" + errors.string()).c_str(), "r");
     std::array<char, 4096> buffer;
     for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)

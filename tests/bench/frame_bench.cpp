@@ -1,0 +1,76 @@
+// A shaded relief frame against the bare search with the same steps, and each technique's frame against flat: ratios of one run,
+// interleaved, median of 9, by the clock between glFinish calls.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/state/techniques.h"
+#include "render/windowless.h"
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <epoxy/gl.h>
+
+using namespace relievo;
+
+namespace {
+
+struct Case {
+    const char* name;
+    State state;
+    const char* view;
+    std::vector<double> milliseconds = {};
+    double median()
+    {
+        std::ranges::sort(milliseconds);
+        return milliseconds[milliseconds.size() / 2];
+    }
+};
+
+double frame(Renderer& renderer, const Case& measured, const Resources& resources, const Target& target)
+{
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    if (const auto drawn = renderer.draw(measured.state, 0, resources, measured.view, target); !drawn)
+        std::fprintf(stderr, "%s\n", message(drawn.error()).c_str());
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+int main()
+{
+    const auto context = WindowlessContext::create();
+    auto opened = openSource("sample:bricks", State());
+    if (!context || !opened)
+        return 1;
+    State state = opened->state;
+    state.camera.pitch = 50.f;
+    state.camera.distance = 0.9f;
+    const auto with = [&](const char* technique, bool shadows, int shading) {
+        State other = state;
+        other.panes = {Pane{technique, {}}};
+        other.parameters.shadows = shadows;
+        other.parameters.shading = shading;
+        return other;
+    };
+    std::vector<Case> cases = {{"search alone (depth view)", with("relief", false, 0), "depth"},
+        {"relief, metallic-roughness", with("relief", false, 0), "shaded"}, {"relief, Blinn-Phong", with("relief", false, 1), "shaded"},
+        {"relief with self-shadows", with("relief", true, 0), "shaded"}, {"parallax", with("parallax", false, 0), "shaded"},
+        {"bump", with("bump", false, 0), "shaded"}, {"flat", with("flat", false, 0), "shaded"}};
+    const auto resources = loadResources(state, {}, {});
+    if (!resources)
+        return 1;
+    Renderer renderer;
+    Framebuffer framebuffer;
+    framebuffer.resize(800, 600);
+    const Target target{framebuffer.handle(), 800, 600};
+    for (int round = 0; round < 11; ++round)
+        for (Case& measured : cases)
+            if (const double ms = frame(renderer, measured, *resources, target); round >= 2) // two rounds warm up
+                measured.milliseconds.push_back(ms);
+    const double search = cases.front().median();
+    std::printf("800x600, plane, sample bricks, relief %d to %d + %d steps, %s\n", state.parameters.minSteps, state.parameters.maxSteps,
+        state.parameters.refineSteps, reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    for (Case& measured : cases)
+        std::printf("%-30s %7.2f ms  %5.2f x the search alone\n", measured.name, measured.median(), measured.median() / search);
+}
