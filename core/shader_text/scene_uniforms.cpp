@@ -17,7 +17,8 @@ SceneUniforms sceneUniforms(const Parameters& p, const CameraView& camera, float
     u.lightDirection = directionTo(p.lightYaw, p.lightPitch);
     const float turn = glm::radians(p.environmentYaw), angle = glm::radians(p.rotation);
     u.environmentTurn = {std::cos(turn), std::sin(turn)};
-    // As KHR_texture_transform: scale, then turn (counter-clockwise as seen, v runs down), then shift.
+    // Scale, then turn, then shift, as KHR_texture_transform; but positive turns the picture counter-clockwise as seen (v runs down),
+    // where the extension turns the uvs.
     const float c = std::cos(angle), s = std::sin(angle);
     u.textureFromMesh = glm::mat2(c, s, -s, c) * p.tiling;
     u.meshFromTexture = glm::inverse(u.textureFromMesh);

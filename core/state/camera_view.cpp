@@ -4,6 +4,7 @@
 #include "core/state/camera_view.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -17,20 +18,32 @@ glm::vec3 directionTo(float yaw, float pitch)
     return {std::cos(p) * std::sin(y), std::sin(p), std::cos(p) * std::cos(y)};
 }
 
+namespace {
+// How far a shape in the box of half size `half` reaches along a unit direction: between a box and the ellipsoid in it, since most
+// meshes are something between.
+float reach(glm::vec3 half, glm::vec3 direction)
+{
+    const glm::vec3 parts = half * glm::abs(direction);
+    return 0.5f * (parts.x + parts.y + parts.z + glm::length(parts));
+}
+} // namespace
+
 CameraView cameraView(const Camera& camera, glm::vec3 boundsMin, glm::vec3 boundsMax, float aspect)
 {
     CameraView view;
     const float yaw = glm::radians(camera.yaw), pitch = glm::radians(camera.pitch), fov = glm::radians(camera.fov);
     const glm::vec3 centre = 0.5f * (boundsMin + boundsMax);
     const float radius = std::max(0.5f * glm::length(boundsMax - boundsMin), 1e-6f);
-    const float halfAngle = std::min(0.5f * fov, std::atan(std::tan(0.5f * fov) * aspect)); // the narrower side frames
 
     view.target = camera.target.value_or(centre);
-    view.distance = camera.distance.value_or(0.78f * radius / std::sin(halfAngle));
     // The picture's axes from the angles, not from cross products: looking straight down stays well defined.
     const glm::vec3 towardsEye = directionTo(camera.yaw, camera.pitch);
     view.right = {std::cos(yaw), 0.f, -std::sin(yaw)};
     view.up = {-std::sin(pitch) * std::sin(yaw), std::cos(pitch), -std::sin(pitch) * std::cos(yaw)};
+    const glm::vec3 half = 0.5f * (boundsMax - boundsMin);
+    const float height = std::tan(0.5f * fov), width = height * aspect;
+    const float framing = 1.27f * std::max(reach(half, view.right) / width, reach(half, view.up) / height) + 0.5f * reach(half, towardsEye);
+    view.distance = camera.distance.value_or(std::max(framing, 1e-6f));
     view.eye = view.target + view.distance * towardsEye;
     view.viewFromWorld = glm::mat4(glm::vec4(view.right.x, view.up.x, towardsEye.x, 0.f),
         glm::vec4(view.right.y, view.up.y, towardsEye.y, 0.f), glm::vec4(view.right.z, view.up.z, towardsEye.z, 0.f),

@@ -44,8 +44,8 @@ int main()
     if (!context || !opened)
         return 1;
     State state = opened->state;
-    state.camera.pitch = 50.f;
-    state.camera.distance = 0.9f;
+    state.camera.pitch = 35.f; // the default view, close enough to fill the picture
+    state.camera.distance = 0.7f;
     const auto with = [&](const char* technique, bool shadows, int shading) {
         State other = state;
         other.panes = {Pane{technique, {}}};

@@ -201,7 +201,7 @@ TEST(Renderer, UploadsOnlyWhatTheProgramReads)
     EXPECT_EQ(renderer.textureCount(), 3); // with roughness and environment
     state.panes[0].technique = "relief";
     picture(renderer, state, resources, "shaded");
-    EXPECT_EQ(renderer.textureCount(), 4); // with height
+    EXPECT_EQ(renderer.textureCount(), 5); // with height and its slopes
 }
 
 TEST(Renderer, TilingMovesTheTexture)
