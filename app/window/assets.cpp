@@ -4,6 +4,7 @@
 #include "app/window/assets.h"
 #include "app/window/recent_files.h"
 #include <QFileInfo>
+#include <algorithm>
 
 namespace relievo {
 
@@ -38,6 +39,31 @@ bool cancelled(const Error& error)
 {
     return error.what == "cancelled";
 }
+
+bool isThere(const MapSlot& slot)
+{
+    return slot.file.starts_with("sample:") || QFileInfo::exists(QString::fromStdString(slot.file));
+}
+
+// The material of slots whose files have all moved: empty, and it says which.
+std::shared_ptr<const Material> movedAway(const MapSlots& slots)
+{
+    Material material;
+    material.slots = slots;
+    for (const MapKindRow& kind : kMapKinds)
+        if (const MapSlot& slot = slots[std::size_t(kind.kind)]; !slot.empty())
+            material.warnings.push_back(
+                {"map-missing", slot.file + ": the " + std::string(kind.label) + " map is not there. Locate or clear it."});
+    return std::make_shared<const Material>(std::move(material));
+}
+
+// Loads for a State that must be shown even when the files of all its maps have moved.
+Expected<Resources> loadWhatIsThere(const State& state, const DecodedImages& images, Resources previous, const Progress& progress)
+{
+    if (state.slots != MapSlots{} && std::ranges::none_of(state.slots, isThere))
+        previous.material = movedAway(state.slots);
+    return loadResources(state, images, previous, progress);
+}
 } // namespace
 
 Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObject(parent), m_document(document), m_messages(messages)
@@ -57,7 +83,7 @@ Assets::Loaded Assets::open(const std::string& source, const State& base, const 
         return result;
     }
     result.opened = std::move(*opened);
-    auto resources = loadResources(result.opened.state, result.opened.images, previous, part(0.6f, 1.f));
+    auto resources = loadWhatIsThere(result.opened.state, result.opened.images, previous, part(0.6f, 1.f));
     if (resources)
         result.resources = *resources;
     else
@@ -90,7 +116,7 @@ void Assets::openDocument(const QString& source, const State& base, bool counted
 void Assets::openState(const State& state, const Warnings& warnings)
 {
     m_background.start([this, state, warnings, previous = m_resources](const Progress& progress) -> Background::Then {
-        const auto resources = loadResources(state, {}, previous, progress);
+        const auto resources = loadWhatIsThere(state, {}, previous, progress);
         return [this, state, warnings, resources] {
             if (!resources)
                 return refuse(resources.error());
@@ -159,7 +185,7 @@ void Assets::follow(Changes what)
     if (!(what & (Changes(Change::Maps) | Change::Mesh | Change::Environment)) || !ready() || fits(m_document.state()))
         return;
     m_background.start([this, state = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
-        const auto resources = loadResources(state, {}, previous, progress);
+        const auto resources = loadWhatIsThere(state, {}, previous, progress);
         return [this, resources] { resources ? take(*resources) : refuse(resources.error()); };
     });
 }
