@@ -43,7 +43,7 @@ inline constexpr auto kActions = std::to_array<ActionRow>({
     {"frame", "View", "Frame all", "F", "frame", false, true, "Brings the whole mesh into view from the same side."},
     {"reset-camera", "View", "Reset camera", "Home", "home", false, false, "Brings the camera back to where it began."},
     {"light-theme", "View", "Light theme", "", "theme", true, true, "Bright surroundings instead of dark ones."},
-    {"panels", "View", "Panels", "Tab", "panels", true, false, "Shows or hides the panels beside the picture."},
+    {"panels", "View", "Panels", "F9", "panels", true, false, "Shows or hides the panels beside the picture."},
 
     {"shortcuts", "Help", "Mouse and keys", "F1", "keyboard", false, false, "Lists what the mouse and the keys do."},
     {"about", "Help", "About Relievo", "", "info", false, false, "Version and licence."},

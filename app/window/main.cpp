@@ -7,11 +7,21 @@
 #include "core/state/state_json.h"
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QDir>
+#include <QFileInfo>
 #include <QSurfaceFormat>
 #include <cstdio>
 
 namespace {
 using namespace relievo;
+
+// `relievo` leaves the state in a file named after this very process, which is done with when it has been read.
+void removeIfOurs(const QString& file)
+{
+    const QString handedOver = QDir::temp().filePath(QString("relievo-%1.json").arg(QCoreApplication::applicationPid()));
+    if (QFileInfo(file) == QFileInfo(handedOver))
+        QFile::remove(file);
+}
 
 // Without a SOURCE the maps of the state are shown, and without those the built-in bricks.
 void open(MainWindow& window, const QString& source, const std::optional<StateRead>& given)
@@ -52,6 +62,7 @@ int main(int argc, char** argv)
             return 1;
         }
         given = std::move(*read);
+        removeIfOurs(parser.value("state-json"));
     }
     if (sources.size() > 1) {
         std::fprintf(stderr, "relievo: error: %s: only one SOURCE can be opened. Drop the others.\n", sources[1].toUtf8().constData());

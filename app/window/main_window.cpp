@@ -23,7 +23,6 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
-#include <QShortcut>
 #include <QSplitter>
 #include <QToolButton>
 
@@ -163,40 +162,6 @@ Handlers MainWindow::handlers()
         {"shortcuts", [this](bool) { showShortcuts(this); }},
         {"about", [this](bool) { showAbout(this); }},
     };
-}
-
-// Rows of other tables in the menus.
-void MainWindow::addTableMenus()
-{
-    auto* bar = menuWidget()->findChild<QMenuBar*>("menu");
-    QMenu* file = menuOf(bar, "File");
-    lazyMenu(file, m_actions["save"], tr("Open recent"), [this](QMenu& menu) { m_files->fillRecent(menu); });
-    lazyMenu(file, m_actions["save"], tr("Built-in materials"), [this](QMenu& menu) { m_files->fillSamples(menu); });
-    QMenu* view = menuOf(bar, "View");
-    QAction* first = view->actions().front();
-    lazyMenu(view, first, tr("Technique"), [this](QMenu& menu) {
-        for (int i = 0; i < m_techniques->rows().size(); ++i) {
-            const TechniqueRow& row = *m_techniques->rows()[i];
-            QAction* action = menu.addAction(qt(row.label), this, [this, &row] { setTechnique(row.key); });
-            action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)));
-        }
-    });
-    lazyMenu(view, first, tr("Show"), [this](QMenu& menu) {
-        for (std::size_t i = 0; i < kViews.size(); ++i)
-            menu.addAction(qt(kViews[i].label), this, [this, i] { setView(kViews[i].key); })
-                ->setShortcut(QKeySequence(Qt::Key(Qt::Key_1 + int(i))));
-    });
-}
-
-// The menus above are filled when they open; their keys work always.
-void MainWindow::addKeys()
-{
-    for (int i = 0; i < m_techniques->rows().size() && i < 9; ++i)
-        connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
-            [this, i] { setTechnique(m_techniques->rows()[i]->key); });
-    for (int i = 0; i < int(kViews.size()) && i < 9; ++i)
-        connect(new QShortcut(QKeySequence(Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
-            [this, i] { setView(kViews[std::size_t(i)].key); });
 }
 
 void MainWindow::connectAll()

@@ -5,8 +5,8 @@
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "core/state/techniques.h"
+#include "core/trace/shader_on_cpu.h"
 #include <QPainter>
-#include <array>
 #include <tuple>
 
 namespace relievo {
@@ -14,10 +14,6 @@ namespace {
 // The picture is dark in either look, so what lies over it is light on dark in either.
 const QColor kShade(0, 0, 0, 150), kBright(240, 240, 240), kQuiet(190, 190, 190);
 constexpr int kPadding = 8; // px
-
-// The stops of shaders/heat.glsl, so that numbers stand at the colours of the picture.
-constexpr std::array<std::array<double, 3>, 7> kHeatStops = {{{0.267, 0.005, 0.329}, {0.267, 0.227, 0.514}, {0.192, 0.408, 0.557},
-    {0.129, 0.569, 0.549}, {0.208, 0.718, 0.475}, {0.561, 0.843, 0.267}, {0.992, 0.906, 0.145}}};
 
 void shade(QPainter& painter, const QRect& rect)
 {
@@ -40,11 +36,6 @@ QString techniqueText(const State& state, std::size_t pane)
     if (listHas(technique->parameters, "refineSteps") && p.refineSteps > 0)
         text += QString("+%1").arg(p.refineSteps);
     return text;
-}
-
-double heatMax(const Parameters& parameters, const ViewRow& view)
-{
-    return double(view.key == "fetches" ? parameters.fetchRange : view.key == "error" ? parameters.errorRange : 1.f);
 }
 
 PaneCaption::PaneCaption(QWidget* parent) : QAbstractButton(parent)
@@ -114,11 +105,10 @@ void HeatLegend::paintEvent(QPaintEvent*)
     QPainter painter(this);
     shade(painter, rect());
     const QRect bar(12, 8, width() - 24, 10);
-    QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    for (std::size_t i = 0; i < kHeatStops.size(); ++i)
-        gradient.setColorAt(double(i) / double(kHeatStops.size() - 1),
-            QColor::fromRgbF(float(kHeatStops[i][0]), float(kHeatStops[i][1]), float(kHeatStops[i][2])));
-    painter.fillRect(bar, gradient);
+    for (int x = 0; x < bar.width(); ++x) { // the colours of the picture, by the picture's own text
+        const glm::vec3 c = heatColor((float(x) + 0.5f) / float(bar.width()));
+        painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor::fromRgbF(c.x, c.y, c.z));
+    }
     painter.setPen(kBright);
     constexpr int kMarks = 4;
     for (int i = 0; i <= kMarks; ++i) {
@@ -129,8 +119,8 @@ void HeatLegend::paintEvent(QPaintEvent*)
         painter.drawText(std::clamp(x - w / 2, 4, width() - w - 4), bar.bottom() + 5 + fontMetrics().ascent(), number);
     }
     painter.setPen(kQuiet);
-    painter.drawText(
-        QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter, m_title == m_unit ? m_title : QString("%1 (%2)").arg(m_title, m_unit));
+    painter.drawText(QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter,
+        m_title.compare(m_unit, Qt::CaseInsensitive) == 0 ? tr("%1 a pixel").arg(m_title) : QString("%1 (%2)").arg(m_title, m_unit));
 }
 
 Hint::Hint(QWidget* parent) : QWidget(parent)

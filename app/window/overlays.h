@@ -3,11 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/state/state.h"
-#include "core/state/views.h"
 #include <QAbstractButton>
 #include <QString>
 #include <QWidget>
-#include <optional>
 
 namespace relievo {
 
@@ -60,8 +58,5 @@ protected:
 private:
     QString m_text;
 };
-
-// The number at the bright end of a heat view.
-double heatMax(const Parameters& parameters, const ViewRow& view);
 
 } // namespace relievo

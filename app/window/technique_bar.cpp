@@ -5,6 +5,7 @@
 #include "app/window/controls.h"
 #include "app/window/text.h"
 #include <QComboBox>
+#include <QMenu>
 #include <algorithm>
 
 namespace relievo {
@@ -47,6 +48,21 @@ void TechniqueBar::resizeEvent(QResizeEvent*)
     m_list->setVisible(!room);
     m_buttons->setGeometry(QRect(QPoint(0, 0), m_buttons->sizeHint()));
     m_list->setGeometry(rect());
+}
+
+void popUpTechniques(QWidget* parent, QPoint at, const std::string& current, std::function<void(const TechniqueRow&)> chosen)
+{
+    auto* menu = new QMenu(parent);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const TechniqueRow& row : kTechniques) {
+        if (row.file.empty())
+            continue;
+        QAction* action = menu->addAction(qt(row.label));
+        action->setCheckable(true);
+        action->setChecked(row.key == current);
+        QObject::connect(action, &QAction::triggered, parent, [chosen, &row] { chosen(row); });
+    }
+    menu->popup(at);
 }
 
 } // namespace relievo

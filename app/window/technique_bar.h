@@ -5,6 +5,8 @@
 #include "core/state/techniques.h"
 #include <QVector>
 #include <QWidget>
+#include <functional>
+#include <string>
 
 class QComboBox;
 
@@ -33,5 +35,8 @@ private:
     Segmented* m_buttons;
     QComboBox* m_list;
 };
+
+// The same as a menu at a point of the screen; it deletes itself.
+void popUpTechniques(QWidget* parent, QPoint at, const std::string& current, std::function<void(const TechniqueRow&)> chosen);
 
 } // namespace relievo

@@ -4,11 +4,12 @@
 #include "app/window/viewport.h"
 #include "app/window/gl_calls.h"
 #include "app/window/overlays.h"
+#include "app/window/technique_bar.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "core/state/techniques.h"
+#include "core/state/views.h"
 #include "render/windowless.h"
-#include <QMenu>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -282,26 +283,17 @@ void Viewport::updateOverlays()
     const ViewRow* view = findView(state.view);
     m_legend->setVisible(view && view->isHeat);
     if (view && view->isHeat)
-        m_legend->show(qt(view->label), qt(view->unit), heatMax(state.parameters, *view));
+        m_legend->show(qt(view->label), qt(view->unit), double(heatRange(state.parameters, state.view)));
 }
 
 void Viewport::chooseTechnique(int pane)
 {
     setActivePane(pane);
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    for (const TechniqueRow& row : kTechniques) {
-        if (row.file.empty())
-            continue;
-        QAction* action = menu->addAction(qt(row.label));
-        action->setCheckable(true);
-        action->setChecked(m_document.state().panes[std::size_t(pane)].technique == row.key);
-        connect(action, &QAction::triggered, this, [this, pane, &row] {
-            m_document.edit(
-                tr("Technique %1").arg(qt(row.label)), [&](State& state) { state.panes[std::size_t(pane)].technique = row.key; });
+    const std::size_t index = std::size_t(pane);
+    popUpTechniques(this, m_captions[index]->mapToGlobal(QPoint(0, kRowHeight + kGrid)), m_document.state().panes[index].technique,
+        [this, index](const TechniqueRow& row) {
+            m_document.edit(tr("Technique %1").arg(qt(row.label)), [&](State& state) { state.panes[index].technique = row.key; });
         });
-    }
-    menu->popup(m_captions[std::size_t(pane)]->mapToGlobal(QPoint(0, kRowHeight + 4)));
 }
 
 } // namespace relievo

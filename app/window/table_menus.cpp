@@ -1,0 +1,49 @@
+// Menus and keys that come from other tables than that of the actions: techniques, views, samples, recent files.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/files.h"
+#include "app/window/main_window.h"
+#include "app/window/technique_bar.h"
+#include "app/window/text.h"
+#include "core/state/views.h"
+#include <QMenu>
+#include <QMenuBar>
+#include <QShortcut>
+
+namespace relievo {
+
+// Rows of other tables in the menus.
+void MainWindow::addTableMenus()
+{
+    auto* bar = menuWidget()->findChild<QMenuBar*>("menu");
+    QMenu* file = menuOf(bar, "File");
+    lazyMenu(file, m_actions["save"], tr("Open recent"), [this](QMenu& menu) { m_files->fillRecent(menu); });
+    lazyMenu(file, m_actions["save"], tr("Built-in materials"), [this](QMenu& menu) { m_files->fillSamples(menu); });
+    QMenu* view = menuOf(bar, "View");
+    QAction* first = view->actions().front();
+    lazyMenu(view, first, tr("Technique"), [this](QMenu& menu) {
+        for (int i = 0; i < m_techniques->rows().size(); ++i) {
+            const TechniqueRow& row = *m_techniques->rows()[i];
+            QAction* action = menu.addAction(qt(row.label), this, [this, &row] { setTechnique(row.key); });
+            action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)));
+        }
+    });
+    lazyMenu(view, first, tr("Show"), [this](QMenu& menu) {
+        for (std::size_t i = 0; i < kViews.size(); ++i)
+            menu.addAction(qt(kViews[i].label), this, [this, i] { setView(kViews[i].key); })
+                ->setShortcut(QKeySequence(Qt::Key(Qt::Key_1 + int(i))));
+    });
+}
+
+// The menus above are filled when they open; their keys work always.
+void MainWindow::addKeys()
+{
+    for (int i = 0; i < m_techniques->rows().size() && i < 9; ++i)
+        connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
+            [this, i] { setTechnique(m_techniques->rows()[i]->key); });
+    for (int i = 0; i < int(kViews.size()) && i < 9; ++i)
+        connect(new QShortcut(QKeySequence(Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
+            [this, i] { setView(kViews[std::size_t(i)].key); });
+}
+
+} // namespace relievo
