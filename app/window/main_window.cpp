@@ -69,6 +69,9 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow()
 {
+    // The document and its undo stack tell of their own end; nobody is to listen any more.
+    m_document.disconnect();
+    m_document.undoStack().disconnect();
     delete m_splitter; // the panels look at the document, which goes first otherwise
 }
 

@@ -17,8 +17,9 @@ void MainWindow::addTableMenus()
 {
     auto* bar = menuWidget()->findChild<QMenuBar*>("menu");
     QMenu* file = menuOf(bar, "File");
-    lazyMenu(file, m_actions["save"], tr("Open recent"), [this](QMenu& menu) { m_files->fillRecent(menu); });
-    lazyMenu(file, m_actions["save"], tr("Built-in materials"), [this](QMenu& menu) { m_files->fillSamples(menu); });
+    QAction* line = file->actions().value(file->actions().indexOf(m_actions["save"]) - 1); // the separator
+    lazyMenu(file, line, tr("Open recent"), [this](QMenu& menu) { m_files->fillRecent(menu); });
+    lazyMenu(file, line, tr("Built-in materials"), [this](QMenu& menu) { m_files->fillSamples(menu); });
     QMenu* view = menuOf(bar, "View");
     QAction* first = view->actions().front();
     lazyMenu(view, first, tr("Technique"), [this](QMenu& menu) {

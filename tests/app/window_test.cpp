@@ -18,6 +18,16 @@ TEST_F(WindowTest, StartsWithAPictureAtOnce)
     EXPECT_TRUE(window.messages().all().isEmpty()) << window.messages().all().front().text.toStdString();
 }
 
+TEST_F(WindowTest, GoesCleanlyWithStepsLeft)
+{
+    MainWindow other;
+    other.show();
+    other.assets().openDocument("sample:bricks@16", State{});
+    ASSERT_TRUE(waitFor([&] { return other.assets().ready(); }));
+    other.document().edit("Depth", [](State& s) { s.parameters.depth = 0.3f; });
+    other.assets().openDocument("sample:terrain@1024"); // and with work under way
+}
+
 TEST_F(WindowTest, EveryActionHasAnItem)
 {
     for (const ActionRow& row : kActions)

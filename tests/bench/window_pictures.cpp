@@ -12,6 +12,8 @@
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
@@ -85,6 +87,14 @@ const Scene kScenes[] = {
             dialog->setOut(QDir::temp().filePath("bricks.json"));
             dialog->run();
             dialog->move(500, 260);
+        }},
+    {"menu", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            QMenuBar* bar = window.findChild<QMenuBar*>("menu");
+            QMenu* file = bar->actions()[0]->menu();
+            file->popup(bar->mapToGlobal(QPoint(8, 28)));
+            QMenu* view = bar->actions()[2]->menu();
+            view->popup(bar->mapToGlobal(QPoint(360, 28)));
         }},
     {"keys", {1280, 800}, Look::Dark, [](MainWindow& window) { window.action("shortcuts")->trigger(); }},
 };
