@@ -11,7 +11,7 @@ struct Display {
     float exposureFactor = 1.f;
 #include "shaders/display.glsl"
 };
-}
+} // namespace
 
 TEST(Display, SrgbIsWithinAFifthOfAnEightBitStep)
 {
