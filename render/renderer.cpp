@@ -205,10 +205,13 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
             use(*lines);
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
             glLineWidth(target.lineWidth);
+            glEnable(GL_BLEND);
+            glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE); // alpha stays the mesh's
             glEnable(GL_POLYGON_OFFSET_LINE);
             glPolygonOffset(-1.f, -1.f);
             m->uploads.drawMesh();
             glDisable(GL_POLYGON_OFFSET_LINE);
+            glDisable(GL_BLEND);
             glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
         }
     }

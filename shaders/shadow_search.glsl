@@ -5,7 +5,7 @@ float lightReaching(Surface surface)
 {
     float cosine = dot(surface.frame.normal, lightDirection);
     if (cosine <= 0.0f)
-        return 1.0f; // shading makes it dark anyway
+        return 1.0f - shadowStrength; // the light comes from behind the surface
     Ray ray = rayInto(surface.frame, surface.hit.uv, lightDirection);
     ray.uv -= ray.duv * surface.hit.t; // up to where the light enters the relief
     Hit occluder = trace(ray);

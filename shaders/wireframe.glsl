@@ -5,5 +5,5 @@ layout(location = 0) out vec4 fragment;
 
 void main()
 {
-    fragment = vec4(1.0f, 0.62f, 0.2f, 1.0f);
+    fragment = vec4(1.0f, 0.62f, 0.2f, 0.5f);
 }
