@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 #include <epoxy/gl.h>
+#include <functional>
+#include <type_traits>
 
 namespace relievo {
 
@@ -22,19 +24,56 @@ float radicalInverse(int i, int base)
     return value;
 }
 
-Image imageOf(const std::vector<float>& sums, int width, int height, int samples, bool linear)
+// Sums of `samples` pictures, OpenGL's row 0 at the bottom. T: what one picture's values are, Sum: what holds 64 of them.
+template <class T, class Sum>
+Expected<std::vector<Sum>> summed(
+    GLenum type, std::size_t count, int samples, const std::function<Expected<void>(int)>& draw, int width, int height)
 {
-    Image image{width, height, 4, linear ? PixelType::F32 : PixelType::U8, linear ? 32 : 8, linear, {}};
-    image.data.resize(sums.size() * bytesOf(image.type));
+    std::vector<Sum> sums(count);
+    std::vector<T> values(samples > 1 || !std::is_same_v<T, Sum> ? count : 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (int i = 0; i < samples; ++i) {
+        if (auto drawn = draw(i); !drawn)
+            return tl::unexpected(drawn.error());
+        if constexpr (std::is_same_v<T, Sum>) {
+            if (samples == 1) {
+                glReadPixels(0, 0, width, height, GL_RGBA, type, sums.data());
+                break;
+            }
+        }
+        glReadPixels(0, 0, width, height, GL_RGBA, type, values.data());
+        std::ranges::transform(sums, values, sums.begin(), [](Sum a, T b) { return Sum(a + b); });
+    }
+    return sums;
+}
+
+// Display values. Colour was averaged with the black of pixels that nothing covers; PNG wants it without that.
+Image displayImage(const std::vector<std::uint16_t>& sums, int width, int height, int samples)
+{
+    Image image{width, height, 4, PixelType::U8, 8, false, {}};
+    image.data.resize(sums.size());
     const std::size_t rowValues = std::size_t(width) * 4;
     for (std::size_t y = 0; y < std::size_t(height); ++y)
-        for (std::size_t i = 0; i < rowValues; ++i) {
-            const float value = sums[(std::size_t(height) - 1 - y) * rowValues + i] / float(samples); // OpenGL's row 0 is at the bottom
-            const std::size_t at = y * rowValues + i;
-            if (linear)
-                std::memcpy(image.data.data() + at * 4, &value, 4);
-            else
-                image.data[at] = std::byte(std::lround(value * 255.f));
+        for (std::size_t x = 0; x < rowValues; x += 4) {
+            const std::uint16_t* from = &sums[(std::size_t(height) - 1 - y) * rowValues + x];
+            std::byte* to = &image.data[y * rowValues + x];
+            const float alpha = float(from[3]) / float(255 * samples);
+            for (int c = 0; c < 3; ++c)
+                to[c] = std::byte(alpha > 0.f ? std::lround(std::min(float(from[c]) / float(samples) / alpha, 255.f)) : 0);
+            to[3] = std::byte(std::lround(alpha * 255.f));
+        }
+    return image;
+}
+
+Image linearImage(const std::vector<float>& sums, int width, int height, int samples)
+{
+    Image image{width, height, 4, PixelType::F32, 32, true, {}};
+    image.data.resize(sums.size() * 4);
+    const std::size_t rowValues = std::size_t(width) * 4;
+    for (std::size_t y = 0; y < std::size_t(height); ++y)
+        for (std::size_t x = 0; x < rowValues; ++x) {
+            const float value = sums[(std::size_t(height) - 1 - y) * rowValues + x] / float(samples);
+            std::memcpy(image.data.data() + (y * rowValues + x) * 4, &value, 4);
         }
     return image;
 }
@@ -46,20 +85,24 @@ Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t 
 {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
-    if (width < 1 || height < 1 || width > limit || height > limit)
+    if (width < 1 || height < 1 || width > limit || height > limit || std::size_t(width) * std::size_t(height) > kMaxPicturePixels)
         return failure("--size", std::to_string(width) + "x" + std::to_string(height) + " cannot be drawn",
-            "1x1 to " + std::to_string(limit) + "x" + std::to_string(limit) + " pixels are possible here");
+            "Up to " + std::to_string(limit) + " pixels a side and " + std::to_string(kMaxPicturePixels / 1'000'000)
+                + " million in all are possible here");
     Framebuffer framebuffer;
     framebuffer.resize(width, height, linear);
-    std::vector<float> sums(std::size_t(width) * std::size_t(height) * 4), values(sums.size());
-    for (int i = 0; i < samples; ++i) {
+    const std::size_t count = std::size_t(width) * std::size_t(height) * 4;
+    const auto draw = [&](int i) {
         const glm::vec2 jitter = samples == 1 ? glm::vec2(0.f) : glm::vec2(radicalInverse(i + 1, 2), radicalInverse(i + 1, 3)) - 0.5f;
-        if (auto drawn = renderer.draw(state, pane, resources, view, {framebuffer.handle(), width, height, linear, 1.f, jitter}); !drawn)
-            return tl::unexpected(drawn.error());
-        glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, values.data());
-        std::ranges::transform(sums, values, sums.begin(), std::plus<>());
-    }
-    return imageOf(sums, width, height, samples, linear);
+        return renderer.draw(state, pane, resources, view, {framebuffer.handle(), width, height, linear, 1.f, jitter});
+    };
+    if (linear)
+        return summed<float, float>(GL_FLOAT, count, samples, draw, width, height).map([&](const auto& sums) {
+            return linearImage(sums, width, height, samples);
+        });
+    return summed<std::uint8_t, std::uint16_t>(GL_UNSIGNED_BYTE, count, samples, draw, width, height).map([&](const auto& sums) {
+        return displayImage(sums, width, height, samples);
+    });
 }
 
 } // namespace relievo

@@ -6,33 +6,20 @@
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
-#include "render/program.h"
+#include "render/program_cache.h"
 #include "render/uploads.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <glm/ext/matrix_transform.hpp>
 #include <map>
 #include <optional>
 #include <vector>
 
 namespace relievo {
-namespace fs = std::filesystem;
 
 namespace {
 
 constexpr float kPlainBackground[] = {0.0331f, 0.0331f, 0.0331f}; // linear; sRGB 51 of 255
-
-// Newest change of any file under the folder.
-fs::file_time_type newestIn(const fs::path& folder)
-{
-    fs::file_time_type newest = fs::file_time_type::min();
-    std::error_code code;
-    for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
-        if (const auto time = entry->last_write_time(code); !code)
-            newest = std::max(newest, time);
-    return newest;
-}
 
 float srgb(float linear)
 {
@@ -54,63 +41,19 @@ std::set<MapKind> presentMaps(const Material& material)
 
 struct Renderer::Impl {
     Uploads uploads;
-    std::map<std::string, std::optional<LinkedProgram>> programs; // by what they are for; nothing: did not link
-    std::map<std::string, std::string> lastGood; // purpose without features -> key in programs
-    std::optional<fs::path> shaderFolder;
-    fs::file_time_type shadersSeen = fs::file_time_type::min();
+    ProgramCache programs;
     VertexArray noVertices;
     Framebuffer measuring;
     std::vector<float> pixels;
 
-    Impl()
-    {
-        if (const char* folder = std::getenv("RELIEVO_SHADERS"); folder && *folder)
-            shaderFolder = folder;
-    }
-
-    ShaderReader reader() const { return shaderFolder ? folderReader(*shaderFolder) : embeddedReader(); }
-
-    bool shadersChanged() const { return shaderFolder && newestIn(*shaderFolder) != shadersSeen; }
-
-    // The linked program of `key`, made by `text` when it is new. `error` is set when it does not link; then the last program of the
-    // same `purpose` that did is returned, or nothing.
-    template <class MakeText>
-    const LinkedProgram* program(const std::string& purpose, const std::string& key, MakeText text, std::optional<Error>& error)
-    {
-        auto& entry = programs[key];
-        if (!entry) {
-            const Expected<ProgramText> assembled = text();
-            Expected<LinkedProgram> linked = assembled ? LinkedProgram::link(*assembled) : tl::unexpected(assembled.error());
-            if (linked) {
-                entry = std::move(*linked);
-                lastGood[purpose] = key;
-            } else {
-                error = linked.error();
-                const auto good = lastGood.find(purpose);
-                return good == lastGood.end() || !programs[good->second] ? nullptr : &*programs[good->second];
-            }
-        }
-        return &*entry;
-    }
-
-    void reloadShaders()
-    {
-        if (!shadersChanged())
-            return;
-        shadersSeen = newestIn(*shaderFolder);
-        ++shaderGeneration;
-    }
-    int shaderGeneration = 0;
-
     const LinkedProgram* meshProgramFor(const ProgramFeatures& features, std::optional<Error>& error)
     {
-        const std::string purpose = features.technique + '/' + features.view + (features.linear ? "/linear" : "");
-        std::string key = purpose + '/' + std::to_string(features.shading) + (features.shadows ? "/shadows" : "");
+        std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
+            + (features.shadows ? "/shadows" : "") + (features.linear ? "/linear" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
-        key += '#' + std::to_string(shaderGeneration);
-        return program(
-            purpose, key, [&] { return meshProgram(features, reader()); }, error);
+        return programs.get(
+            key, [&](const ShaderReader& read) { return meshProgram(features, read); }, error);
     }
 };
 
@@ -118,7 +61,7 @@ Renderer::Renderer() : m(std::make_unique<Impl>()) { }
 Renderer::~Renderer() = default;
 bool Renderer::shadersChanged() const
 {
-    return m->shadersChanged();
+    return m->programs.changed();
 }
 int Renderer::textureCount() const
 {
@@ -135,6 +78,7 @@ void clearTarget(const Parameters& parameters, const Target& target, bool heat)
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_CULL_FACE);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS); // else the edges of the small levels show
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
@@ -145,6 +89,20 @@ void clearTarget(const Parameters& parameters, const Target& target, bool heat)
         color[i] = target.linear ? kPlainBackground[i] : srgb(kPlainBackground[i]);
     glClearColor(color[0], color[1], color[2], color[3]);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+// A map larger than the driver takes would be drawn black, without a word.
+Expected<void> fitTheDriver(const Material& material)
+{
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    int largest = material.height ? std::max(material.height->width(), material.height->height()) : 0;
+    for (const auto& image : material.maps)
+        largest = image ? std::max({largest, image->width, image->height}) : largest;
+    if (largest <= limit)
+        return {};
+    return failure("OpenGL", "a map is " + std::to_string(largest) + " texels long and this driver takes " + std::to_string(limit),
+        "Make the map smaller");
 }
 
 // What a pane needs to be drawn; the error view measures the search itself, so it searches the full resolution.
@@ -177,9 +135,12 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     const glm::vec3 shift(2.f * target.jitter.x / float(target.width), 2.f * target.jitter.y / float(std::max(target.height, 1)), 0.f);
     camera.clipFromView = glm::translate(glm::mat4(1.f), shift) * camera.clipFromView;
     SceneUniforms uniforms = sceneUniforms(parameters, camera, mesh.metresPerUV);
+    uniforms.pushOut = technique->displaces ? (1.f - parameters.midlevel) * uniforms.reliefDepth : 0.f;
     uniforms.heatScale = 1.f / heatRange(parameters, view);
 
-    m->reloadShaders();
+    if (const auto fits = fitTheDriver(*resources.material); !fits)
+        return fits;
+    m->programs.reload();
     m->uploads.hold(resources);
     std::optional<Error> error;
     const Wrap wrap = parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat;
@@ -195,21 +156,20 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         glEnable(GL_CULL_FACE);
         for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
             glCullFace(hidden);
-            m->uploads.drawMesh();
+            m->uploads.drawMesh(uniforms.pushOut != 0.f);
         }
         glDisable(GL_CULL_FACE);
     }
     if (parameters.wireframe) {
-        if (const LinkedProgram* lines = m->program(
-                "wireframe", "wireframe", [&] { return wireframeProgram(m->reader()); }, error)) {
+        if (const LinkedProgram* lines = m->programs.get("wireframe", wireframeProgram, error)) {
             use(*lines);
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
             glLineWidth(target.lineWidth);
             glEnable(GL_BLEND);
-            glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE); // alpha stays the mesh's
+            glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); // alpha stays the mesh's
             glEnable(GL_POLYGON_OFFSET_LINE);
             glPolygonOffset(-1.f, -1.f);
-            m->uploads.drawMesh();
+            m->uploads.drawMesh(uniforms.pushOut != 0.f);
             glDisable(GL_POLYGON_OFFSET_LINE);
             glDisable(GL_BLEND);
             glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -217,8 +177,8 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     }
     if (parameters.background == 1 && !viewRow->isHeat) {
         const std::string key = target.linear ? "background/linear" : "background";
-        if (const LinkedProgram* sky = m->program(
-                key, key, [&] { return backgroundProgram(target.linear, m->reader()); }, error)) {
+        if (const LinkedProgram* sky = m->programs.get(
+                key, [&](const ShaderReader& read) { return backgroundProgram(target.linear, read); }, error)) {
             use(*sky);
             if (!m->noVertices)
                 m->noVertices = newVertexArray();

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/uploads.h"
 #include "core/maps/normal.h"
+#include "core/mesh/push.h"
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -162,7 +163,7 @@ Texture uploadHeight(const HeightField& field, bool mips)
 void Uploads::hold(const Resources& resources)
 {
     if (resources.mesh != m_resources.mesh)
-        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer();
+        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer();
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     m_resources = resources;
@@ -197,6 +198,8 @@ const Uploads::Map& Uploads::map(MapKind kind)
 const Uploads::Map& Uploads::slopes(Wrap wrap)
 {
     glActiveTexture(GL_TEXTURE0 + kUploadUnit);
+    if (!m_resources.material->height) // an older program is drawn while the new text is broken
+        return m_slopes;
     const HeightField& field = *m_resources.material->height;
     if (m_uploadedSlopes != field.identity() || m_slopesWrap != wrap) {
         m_slopes = {newTexture(), std::log2(float(std::max(field.width(), field.height())))};
@@ -235,7 +238,7 @@ void Uploads::bindMaps(const LinkedProgram& program, Wrap wrap)
     }
 }
 
-void Uploads::drawMesh()
+void Uploads::drawMesh(bool pushed)
 {
     const Mesh& mesh = *m_resources.mesh;
     if (!m_vertexArray) {
@@ -256,6 +259,14 @@ void Uploads::drawMesh()
         attribute(4, 3, offsetof(Vertex, dPdv));
     }
     glBindVertexArray(*m_vertexArray);
+    if (pushed && !m_push) {
+        const auto directions = pushDirections(mesh);
+        m_push = newBuffer();
+        glBindBuffer(GL_ARRAY_BUFFER, *m_push);
+        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(directions.size() * sizeof(glm::vec3)), directions.data(), GL_STATIC_DRAW);
+        glEnableVertexAttribArray(5);
+        glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    }
     glDrawElements(GL_TRIANGLES, GLsizei(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
 }

@@ -24,9 +24,10 @@ public:
     void bindMaps(const LinkedProgram& program, Wrap wrap);
 
     // Draws all triangles of the mesh. Attribute locations are those of mesh_vertex.glsl.
-    void drawMesh();
+    // pushed: with the directions of core/mesh/push.h, which are made only then.
+    void drawMesh(bool pushed);
 
-    // How many textures and buffers lie in the context: tests see that nothing unused is uploaded.
+    // How many textures lie in the context: tests see that nothing unused is uploaded.
     int textureCount() const;
 
 private:
@@ -46,7 +47,7 @@ private:
     Wrap m_slopesWrap = Wrap::Repeat;
     Texture m_environment;
     VertexArray m_vertexArray;
-    Buffer m_vertices, m_indices;
+    Buffer m_vertices, m_indices, m_push;
 };
 
 } // namespace relievo

@@ -27,8 +27,11 @@ private:
     std::unique_ptr<Impl> m;
 };
 
+inline constexpr std::size_t kMaxPicturePixels = std::size_t(8192) * 8192;
+
 // One picture of `width` x `height` pixels, RGBA, row 0 at the top: U8 display values, or F32 linear values when `linear`.
-// samples: pictures with shifted pixel grids that are averaged, 1 to 64. Needs a current context.
+// At most kMaxPicturePixels pixels (memory). samples: pictures with shifted pixel grids that are averaged, 1 to 64. Needs a current
+// context.
 Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, const Resources& resources, std::string_view view,
     int width, int height, int samples, bool linear);
 

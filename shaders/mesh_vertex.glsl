@@ -6,6 +6,7 @@ layout(location = 1) in vec3 vertexNormal;
 layout(location = 2) in vec2 vertexUv;
 layout(location = 3) in vec3 vertexDPdu;
 layout(location = 4) in vec3 vertexDPdv;
+layout(location = 5) in vec3 vertexPush; // the way out that all vertices of a place share, so that hard edges do not tear
 out vec3 position;
 out vec3 surfaceNormal;
 out vec2 textureUv;
@@ -14,7 +15,7 @@ out vec3 dPdv;
 
 void main()
 {
-    position = vertexPosition + vertexNormal * ((1.0f - midlevel) * reliefDepth);
+    position = vertexPosition + vertexPush * pushOut;
     surfaceNormal = vertexNormal;
     textureUv = textureFromMesh * vertexUv + textureShift;
     // The Jacobian per unit of texture uv: columns times the inverse of the material's turn and tiling.

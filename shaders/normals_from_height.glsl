@@ -1,9 +1,11 @@
-// Tangent-space normals from the height map's slopes, which lie in a texture of their own so that they have mip levels.
+// The relief's normal where the search landed, in world space, from the height map's slopes, which lie in a texture of their own so
+// that they have mip levels. The gradient of the displaced surface N - D (dh/du gradU + dh/dv gradV): right for any depth, stretch
+// and skew.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-vec3 tangentNormalAt(vec2 uv, float footprint)
+vec3 reliefNormal(Surface surface)
 {
-    vec2 slope = textureLod(slopeMap, uv, max(0.0f, footprint + slopeMapLevels)).rg;
-    // depth is a share of the tile's width, so slopes are rises per travel on a square tile; up in the image is -v.
-    return normalize(vec3(-depth * slope.x, depth * slope.y, 1.0f));
+    vec2 slope = textureLod(slopeMap, surface.hit.uv, max(0.0f, surface.footprint + slopeMapLevels)).rg;
+    return normalize(surface.frame.normal
+        - (surface.frame.gradU * slope.x + surface.frame.gradV * slope.y) * (reliefDepth * normalStrength));
 }

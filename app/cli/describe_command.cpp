@@ -52,7 +52,7 @@ Table techniques()
     Table table;
     for (const TechniqueRow& row : kTechniques)
         table.push_back({{"key", row.key}, {"label", row.label}, {"maps", row.maps}, {"parameters", row.parameters},
-            {"searches", row.searches}, {"canMiss", row.canMiss}, {"isExact", row.isExact}, {"paper", row.paper}, {"help", row.help}});
+            {"displaces", row.displaces}, {"searches", row.searches}, {"canMiss", row.canMiss}, {"isExact", row.isExact}, {"paper", row.paper}, {"help", row.help}});
     return table;
 }
 

@@ -217,7 +217,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file("normals_none.glsl");
         else
             part.file(normalsFile(features.maps));
-        part.file("normals.glsl").file(technique->searches && features.shadows ? "shadow_search.glsl" : "shadow_none.glsl");
+        part.file(technique->searches && features.shadows ? "shadow_search.glsl" : "shadow_none.glsl");
         if (features.view == "shaded")
             part.file("environment.glsl").file(kShadingFiles[features.shading]);
         part.file(view->file);

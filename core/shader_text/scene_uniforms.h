@@ -21,6 +21,7 @@ struct SceneUniforms {
     glm::mat2 meshFromTexture{1.f}; // its inverse
     glm::vec2 textureShift{0.f};
     float reliefDepth = 0.f; // D, m
+    float pushOut = 0.f; // how far the mesh is pushed out so that the midlevel lies on it, m
     float exposureFactor = 1.f; // 2^exposure
     float heatScale = 1.f; // of the view's value to [0, 1]
 };
@@ -41,6 +42,7 @@ inline constexpr auto kSceneUniforms = std::to_array<SceneUniformRow>({
     {&SceneUniforms::meshFromTexture, "meshFromTexture"},
     {&SceneUniforms::textureShift, "textureShift"},
     {&SceneUniforms::reliefDepth, "reliefDepth"},
+    {&SceneUniforms::pushOut, "pushOut"},
     {&SceneUniforms::exposureFactor, "exposureFactor"},
     {&SceneUniforms::heatScale, "heatScale"},
 });

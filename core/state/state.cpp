@@ -63,6 +63,8 @@ Expected<void> setParameter(State& state, std::string_view assignment)
         return failure(
             "--set " + key, '"' + text + (value ? "\" is out of range" : "\" is not a value of this parameter"), rangeText(*row));
     set(state.parameters, *row, *value);
+    for (Pane& pane : state.panes) // what is asked for now wins over a pane's own value
+        pane.overrides.erase(key);
     return {};
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/state_json.h"
 #include "core/file.h"
+#include "core/mesh/mesh.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include <algorithm>
@@ -110,31 +111,33 @@ public:
     void read(const Json& json, State& state)
     {
         each(json, "", [&](const std::string& key, const Json& value) {
-            if (key == "relievo")
+            if (key == "relievo" || key == "panes")
                 return true;
             if (key == "name")
                 return text(value, key, state.name);
             if (key == "maps")
                 return maps(value, state.slots);
             if (key == "parameters")
-                return parameters(value, "parameters", [&](const ParameterRow& row, const Value& v) { set(state.parameters, row, v); });
+                return parameters(value, "parameters", [&](const ParameterRow& row, const Value& v) {
+                    set(state.parameters, row, v);
+                    for (Pane& pane : state.panes) // a preset's value wins over a pane's own; the file's panes come later
+                        pane.overrides.erase(std::string(row.key));
+                });
             if (key == "mesh")
-                return file(value, key, state.mesh, !std::ranges::count(kBuiltInMeshes, value.is_string() ? value.get<std::string>() : ""));
+                return file(value, key, state.mesh, !std::ranges::count(kShapes, value.is_string() ? value.get<std::string>() : ""));
             if (key == "environment")
                 return file(value, key, state.environment, value != "studio");
             if (key == "camera")
                 return camera(value, state.camera);
             if (key == "view")
                 return word(value, key, state.view, [](const std::string& name) { return findView(name) != nullptr; });
-            if (key == "panes")
-                return panes(value, state.panes);
             return false;
         });
+        if (json.contains("panes")) // after the parameters, which panes may override
+            panes(json["panes"], state.panes);
     }
 
 private:
-    static constexpr std::array<std::string_view, 5> kBuiltInMeshes = {"plane", "sphere", "cylinder", "torus", "box"};
-
     void warn(const std::string& code, const std::string& place, const std::string& what)
     {
         warnings.push_back({code, m_where + ": " + place + ": " + what});
@@ -177,6 +180,8 @@ private:
     {
         std::string name = out;
         text(value, place, name);
+        if (!value.is_string())
+            return true;
         out = name.empty() || isBuiltIn(name) || !isPath ? name : fs::absolute(m_folder / name).lexically_normal().string();
         return true;
     }
@@ -224,7 +229,8 @@ private:
             return json.get<bool>();
         if (json.is_number() && std::holds_alternative<float Parameters::*>(row.member))
             return json.get<float>();
-        if (json.is_number() && std::holds_alternative<int Parameters::*>(row.member))
+        if (json.is_number() && std::holds_alternative<int Parameters::*>(row.member)
+            && json.get<double>() == std::round(json.get<double>()))
             return int(std::clamp(std::round(json.get<double>()), -2e9, 2e9));
         if (json.is_array() && json.size() == 3 && std::holds_alternative<glm::vec3 Parameters::*>(row.member)
             && std::ranges::all_of(json, [](const Json& j) { return j.is_number(); }))

@@ -14,6 +14,7 @@ struct TechniqueRow {
     std::string_view maps; // map kinds it cannot do without, separated by spaces
     std::string_view parameters; // rows of kParameters marked "technique" that it reads
     std::string_view paper;
+    bool displaces; // the picture moves: the mesh is pushed out for the midlevel
     bool searches; // runs along the ray (so it can cast shadows); else the picture is only shifted or not at all
     bool canMiss; // may return found == false
     bool isExact; // finds the true first hit of the bilinear surface
@@ -21,16 +22,17 @@ struct TechniqueRow {
 };
 
 inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
-    {"flat", "Flat", "techniques/flat.glsl", "", "", "-", false, false, false, "No relief: colour and roughness on the smooth mesh."},
-    {"bump", "Bump", "techniques/bump.glsl", "", "", "Blinn 1978, Simulation of Wrinkled Surfaces", false, false, false,
+    {"flat", "Flat", "techniques/flat.glsl", "", "", "-", false, false, false, false,
+        "No relief: colour and roughness on the smooth mesh."},
+    {"bump", "Bump", "techniques/bump.glsl", "", "", "Blinn 1978, Simulation of Wrinkled Surfaces", false, false, false, false,
         "Normals only: light reacts to the relief, the picture does not move. The normal map, or normals made from the height map."},
     {"parallax", "Parallax", "techniques/parallax.glsl", "height", "offsetLimiting heightMips",
-        "Kaneko et al. 2001, Detailed Shape Representation with Parallax Mapping; Welsh 2004 (offset limiting)", false, false, false,
+        "Kaneko et al. 2001, Detailed Shape Representation with Parallax Mapping; Welsh 2004 (offset limiting)", true, false, false, false,
         "One step along the view by the height under the surface point: cheap, right only for gentle slopes."},
     {"relief", "Relief", "techniques/relief.glsl", "height", "minSteps maxSteps refineSteps heightMips shadows",
-        "Policarpo, Oliveira, Comba 2005, Real-Time Relief Mapping on Arbitrary Polygonal Surfaces, section 3", true, false, false,
+        "Policarpo, Oliveira, Comba 2005, Real-Time Relief Mapping on Arbitrary Polygonal Surfaces, section 3", true, true, false, false,
         "Linear search whose step count follows the viewing angle, then bisection of the step that went inside."},
-    {"reference", "Reference", "", "height", "", "Exact: ray against each bilinear cell in turn, double precision", true, false, true,
+    {"reference", "Reference", "", "height", "", "Exact: ray against each bilinear cell in turn, double precision", true, true, false, true,
         "The exact answer that all others are measured against. CPU only."},
 });
 

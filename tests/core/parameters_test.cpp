@@ -138,6 +138,14 @@ TEST(State, OverridesChangeOnePane)
     EXPECT_EQ(effectiveParameters(state, 1).maxSteps, 128);
 }
 
+TEST(State, WhatIsSetNowWinsOverAPanesOwnValue)
+{
+    State state;
+    state.panes = {Pane{"relief", {{"depth", 0.05f}}}};
+    ASSERT_TRUE(setParameter(state, "depth=0.3"));
+    EXPECT_EQ(effectiveParameters(state, 0).depth, 0.3f);
+}
+
 TEST(State, PhysicalDepthIsOneNumber)
 {
     Parameters p;

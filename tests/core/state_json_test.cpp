@@ -96,6 +96,24 @@ TEST(StateJson, UnknownKeysAndRangesAreToldByPlace)
     EXPECT_EQ(std::get<int>(read->state.panes[0].overrides.at("minSteps")), 1);
 }
 
+TEST(StateJson, WrongKindsLeaveTheDefault)
+{
+    const auto read = fromJson(State(), R"({"relievo":1,"mesh":null,"environment":7,"parameters":{"minSteps":8.7}})", "/x", "file");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->state, State());
+    EXPECT_EQ(read->warnings.size(), 3u);
+}
+
+TEST(StateJson, AFilesPanesOverrideItsParametersInAnyOrder)
+{
+    const auto read = fromJson(
+        State(), R"({"relievo":1,"panes":[{"technique":"relief","overrides":{"depth":0.2}}],"parameters":{"depth":0.1}})", "/x", "file");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(effectiveParameters(read->state, 0).depth, 0.2f);
+    const auto preset = fromJson(read->state, R"({"relievo":1,"parameters":{"depth":0.3}})", "/x", "preset");
+    EXPECT_EQ(effectiveParameters(preset->state, 0).depth, 0.3f);
+}
+
 TEST(StateJson, ForeignAndNewerFilesAreRefused)
 {
     for (const char* text : {"", "{", "[]", "3", "{}", R"({"relievo":"1"})", R"({"relievo":2})"}) {

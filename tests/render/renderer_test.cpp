@@ -8,6 +8,7 @@
 #include "render/windowless.h"
 #include <cmath>
 #include <cstdlib>
+#include <epoxy/gl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
 
@@ -254,6 +255,24 @@ TEST(Renderer, SamplesSmoothTheOutline)
     EXPECT_GT(levels(8), 40);
 }
 
+TEST(Renderer, HalfCoveredPixelsKeepTheirColour)
+{
+    context();
+    Renderer renderer;
+    State state = sampleState("flat", "sphere");
+    state.parameters.background = 2;
+    const Resources resources = resourcesOf(state);
+    const Image image = *drawPicture(renderer, state, 0, resources, "shadow", 64, 64, 16, false); // white inside
+    int edge = 0;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            if (const float alpha = image.value(x, y, 3); alpha > 0.f && alpha < 1.f) {
+                ++edge;
+                EXPECT_GT(image.value(x, y, 0), 0.95f); // not darkened by what is not there
+            }
+    EXPECT_GT(edge, 30);
+}
+
 TEST(Renderer, TransparentBackgroundHasNoAlpha)
 {
     context();
@@ -294,8 +313,14 @@ TEST(Renderer, BrokenShaderKeepsTheLastPictureAndNamesTheLine)
     const auto drawn = renderer.draw(state, 0, resources, "color", {target.handle(), 96, 64});
     ASSERT_FALSE(drawn);
     EXPECT_NE(drawn.error().what.find("views/color.glsl:"), std::string::npos) << drawn.error().what;
+    std::vector<std::uint8_t> pixels(96 * 64 * 4); // still drawn with the program that linked
+    glReadPixels(0, 0, 96, 64, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    int same = 0;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 96; ++x)
+            same += std::abs(int(pixels[std::size_t(((63 - y) * 96 + x) * 4)]) - int(std::lround(good.value(x, y, 0) * 255.f))) <= 1;
+    EXPECT_EQ(same, 96 * 64);
 
-    // The picture is still drawn with the program that linked.
     ASSERT_TRUE(writeAtomically(view, text));
     fs::last_write_time(view, fs::last_write_time(view) + std::chrono::seconds(4));
     EXPECT_EQ(meanDifference(good, picture(renderer, state, resources, "color")), 0.);
