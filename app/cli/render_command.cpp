@@ -116,10 +116,8 @@ void addRender(CLI::App& app, int& exitCode)
         }
         tell(*warnings, options->common);
         if (options->common.json)
-            std::puts(nlohmann::ordered_json{{"file", options->out}, {"width", options->width}, {"height", options->height},
-                {"views", options->views}, {"warnings", warningsJson(*warnings)}}
-                          .dump()
-                          .c_str());
+            print(nlohmann::ordered_json{{"file", options->out}, {"width", options->width}, {"height", options->height},
+                {"views", options->views}, {"warnings", warningsJson(*warnings)}});
     });
 }
 
