@@ -21,6 +21,8 @@ template <class Container> Expected<Container> readWhole(const fs::path& file, s
         return failure(file.string(), "there is no such file", "Check the path");
     if (fs::is_directory(status))
         return failure(file.string(), "this is a folder, not a file", "Name a file in it");
+    if (!fs::is_regular_file(status))
+        return failure(file.string(), "this is a pipe or a device, not a file", "Save its content to a file first");
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in)
         return failure(file.string(), std::string("the file cannot be read (") + std::strerror(errno) + ")", "Check its permissions");
@@ -57,7 +59,36 @@ tl::unexpected<Error> writeFailure(const fs::path& file)
                                                         : "Choose a folder that you may write to";
     return failure(file.string(), std::string("the file cannot be written (") + std::strerror(code) + ")", hint);
 }
+
+bool writeAll(int handle, std::span<const std::byte> bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(handle, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return false;
+        bytes = bytes.subspan(std::size_t(written));
+    }
+    return true;
+}
+
+Expected<void> writeThrough(const fs::path& file, std::span<const std::byte> bytes)
+{
+    const int handle = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    if (handle < 0)
+        return writeFailure(file);
+    const Temporary open{{}, handle};
+    return writeAll(handle, bytes) ? Expected<void>() : writeFailure(file);
+}
 } // namespace
+
+fs::path absolutePath(const fs::path& file)
+{
+    std::error_code code;
+    const fs::path path = fs::absolute(file, code);
+    return code ? file : path.lexically_normal();
+}
 
 Expected<std::string> readText(const fs::path& file, std::size_t limit)
 {
@@ -70,28 +101,27 @@ Expected<std::vector<std::byte>> readBytes(const fs::path& file, std::size_t lim
 
 Expected<void> writeAtomically(const fs::path& file, std::span<const std::byte> bytes)
 {
-    if (fs::is_directory(file))
+    std::error_code code;
+    const fs::file_status status = fs::status(file, code);
+    if (fs::is_directory(status))
         return failure(file.string(), "this is a folder, not a file", "Name a file");
-    std::string name = file.string() + ".XXXXXX";
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        return writeThrough(file, bytes);
+    const fs::path target = fs::is_regular_file(status) ? fs::canonical(file, code) : file;
+    std::string name = target.string() + ".XXXXXX";
     Temporary temporary;
     temporary.handle = ::mkstemp(name.data());
     if (temporary.handle < 0)
         return writeFailure(file);
     temporary.path = name;
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t written = ::write(temporary.handle, bytes.data() + done, bytes.size() - done);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            return writeFailure(file);
-        done += std::size_t(written);
-    }
+    if (!writeAll(temporary.handle, bytes))
+        return writeFailure(file);
     // mkstemp makes files private; a saved file gets the rights that any new file would get.
     const mode_t mask = ::umask(0);
     ::umask(mask);
     if (::fchmod(temporary.handle, 0666 & ~mask) != 0 || ::fsync(temporary.handle) != 0)
         return writeFailure(file);
-    if (::rename(name.c_str(), file.c_str()) != 0)
+    if (::rename(name.c_str(), target.c_str()) != 0)
         return writeFailure(file);
     temporary.path.clear();
     return {};

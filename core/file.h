@@ -10,11 +10,15 @@
 
 namespace relievo {
 
-// Errors say whether the file is missing, a folder, unreadable or over `limit` bytes.
+// `file` from the root on, without dots; as it was given when there is no working folder.
+std::filesystem::path absolutePath(const std::filesystem::path& file);
+
+// Errors say whether the file is missing, a folder, a pipe or device, unreadable or over `limit` bytes.
 Expected<std::string> readText(const std::filesystem::path& file, std::size_t limit = std::size_t(1) << 30);
-Expected<std::vector<std::byte>> readBytes(const std::filesystem::path& file, std::size_t limit = std::size_t(4) << 30);
+Expected<std::vector<std::byte>> readBytes(const std::filesystem::path& file, std::size_t limit = std::size_t(2) << 30);
 
 // The old file stays whole until the new one is: disk full, no permission and a missing folder leave it as it was and no litter.
+// A symbolic link stays one: its target is replaced. Devices and pipes (/dev/stdout, /dev/null) are written to, never replaced.
 Expected<void> writeAtomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
 Expected<void> writeAtomically(const std::filesystem::path& file, std::string_view text);
 

@@ -6,18 +6,12 @@
 #include "core/state/state_json.h"
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 namespace relievo {
 namespace fs = std::filesystem;
 
 namespace {
-std::string lowerSuffix(const fs::path& file)
-{
-    std::string suffix = file.extension().string();
-    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return suffix;
-}
-
 Expected<Opened> openSample(std::string_view key, const State& base)
 {
     const std::string_view name = key.substr(0, key.find('@'));
@@ -30,8 +24,10 @@ Expected<Opened> openSample(std::string_view key, const State& base)
     }
     Opened opened{base, {}, {}};
     int size = kSampleSize;
-    if (name.size() < key.size())
-        size = std::atoi(std::string(key.substr(name.size() + 1)).c_str());
+    if (name.size() < key.size()) {
+        const auto [end, code] = std::from_chars(key.data() + name.size() + 1, key.data() + key.size(), size);
+        size = code == std::errc() && end == key.data() + key.size() ? size : 0;
+    }
     if (size < 1 || size > 8192)
         return failure("sample:" + std::string(key), "this size cannot be made", "1 to 8192 texels are possible");
     opened.state.slots = sampleSlots(name, size);
@@ -40,6 +36,13 @@ Expected<Opened> openSample(std::string_view key, const State& base)
     return opened;
 }
 } // namespace
+
+std::string lowerSuffix(const fs::path& file)
+{
+    std::string suffix = file.extension().string();
+    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return suffix;
+}
 
 bool isMeshFile(const fs::path& file)
 {
@@ -111,6 +114,7 @@ Expected<Resources> loadResources(const State& state, const DecodedImages& image
     }
     if (progress.cancelled())
         return failure(state.name, "cancelled");
+    progress.at(1.f);
     return resources;
 }
 

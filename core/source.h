@@ -32,6 +32,8 @@ struct Opened {
 };
 Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress = {});
 
+// ".png" of "A.PNG".
+std::string lowerSuffix(const std::filesystem::path& file);
 // Whether `file` is a mesh by its suffix (gltf glb obj ply stl off), for drag and drop and `info`.
 bool isMeshFile(const std::filesystem::path& file);
 bool isProjectFile(const std::filesystem::path& file);

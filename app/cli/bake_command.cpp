@@ -65,9 +65,7 @@ void addBake(CLI::App& app, int& exitCode)
         }
         tell(baked->warnings, options->common);
         if (options->common.json)
-            std::puts(nlohmann::ordered_json{{"file", options->out}, {"map", options->map}, {"warnings", warningsJson(baked->warnings)}}
-                          .dump()
-                          .c_str());
+            print(nlohmann::ordered_json{{"file", options->out}, {"map", options->map}, {"warnings", warningsJson(baked->warnings)}});
     });
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "core/file.h"
 #include "core/state/presets.h"
 #include "core/state/state_json.h"
 #include "core/state/techniques.h"
@@ -47,18 +48,14 @@ bool StateOptions::changesState() const
 
 namespace {
 
-std::string absolutePath(const std::string& file)
-{
-    return fs::absolute(file).lexically_normal().string();
-}
-
 // The maps given by hand. A file that is not there is the user's slip, not a map gone missing.
 Expected<void> setMaps(const StateOptions& options, MapSlots& slots)
 {
     const auto assign = [&](MapKind kind, const std::string& file, bool invert) -> Expected<void> {
-        if (!fs::exists(file))
+        std::error_code code;
+        if (!fs::exists(file, code))
             return failure(file, "there is no such file", "Check the path of --" + std::string(row(kind).key));
-        slots[std::size_t(kind)] = {absolutePath(file), Channel::Rgb, invert};
+        slots[std::size_t(kind)] = {absolutePath(file).string(), Channel::Rgb, invert};
         return {};
     };
     for (const auto& [key, file] : options.maps)
@@ -84,15 +81,15 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
         if (!findTechnique(options.technique))
             return problem(
                 {"there is no such technique", "--technique " + options.technique, "relievo describe techniques lists them"}, WrongUsage);
-        state.panes = {Pane{options.technique, {}}};
+        state.panes.front().technique = options.technique;
     }
     for (const std::string& assignment : options.set)
         if (const auto done = setParameter(state, assignment); !done)
             return problem(done.error(), WrongUsage);
     if (!options.mesh.empty())
-        state.mesh = std::ranges::count(kShapes, options.mesh) ? options.mesh : absolutePath(options.mesh);
+        state.mesh = std::ranges::count(kShapes, options.mesh) ? options.mesh : absolutePath(options.mesh).string();
     if (!options.environment.empty())
-        state.environment = options.environment == "studio" ? options.environment : absolutePath(options.environment);
+        state.environment = options.environment == "studio" ? options.environment : absolutePath(options.environment).string();
     if (!options.camera.empty())
         if (const auto done = setCamera(state.camera, options.camera); !done)
             return problem(done.error(), WrongUsage);
@@ -163,6 +160,11 @@ void tell(const Warnings& warnings, const Common& common)
     if (!common.quiet)
         for (const Warning& warning : warnings)
             std::fprintf(stderr, "relievo: warning: %s\n", warning.text.c_str());
+}
+
+void print(const nlohmann::ordered_json& result)
+{
+    std::puts(result.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
 nlohmann::ordered_json warningsJson(const Warnings& warnings)

@@ -58,7 +58,7 @@ void addExport(CLI::App& app, int& exitCode)
         for (const auto& file : exported->files)
             files.push_back(file.string());
         if (options->common.json)
-            std::puts(nlohmann::ordered_json{{"files", files}, {"warnings", warningsJson(exported->warnings)}}.dump().c_str());
+            print(nlohmann::ordered_json{{"files", files}, {"warnings", warningsJson(exported->warnings)}});
         else if (!options->common.quiet)
             for (const auto& file : exported->files)
                 std::puts(file.c_str());

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "core/file.h"
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -31,7 +32,7 @@ Result<Json> infoOf(const InfoOptions& options)
         const auto opened = openSource(options.source, State(), progress);
         if (!opened)
             return problem(opened.error());
-        auto set = textureSetOf(opened->state.name, opened->state.slots, std::filesystem::absolute(options.source).parent_path());
+        auto set = textureSetOf(opened->state.name, opened->state.slots, absolutePath(options.source).parent_path());
         set.warnings.insert(set.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
         return Json::parse(textureSetJson(set));
     }
@@ -76,8 +77,10 @@ void addInfo(CLI::App& app, int& exitCode)
         const auto info = infoOf(*options);
         if (!info)
             exitCode = tell(info.error());
+        else if (options->common.json)
+            print(*info);
         else
-            std::fputs((options->common.json ? info->dump() + '\n' : text(*info)).c_str(), stdout);
+            std::fputs(text(*info).c_str(), stdout);
     });
 }
 

@@ -40,7 +40,7 @@ Result<void> check(RenderOptions& options)
 {
     if (!parseSize(options))
         return problem({"\"" + options.size + "\" is not a size", "--size", "Write WIDTHxHEIGHT in pixels, such as 1024x768"}, WrongUsage);
-    const std::string suffix = fs::path(options.out).extension().string();
+    const std::string suffix = lowerSuffix(options.out);
     if (suffix != ".png" && suffix != ".exr")
         return problem({"a picture is written as .png or .exr", "-o " + options.out, "Choose one of these suffixes"}, WrongUsage);
     if (!options.views.empty() && suffix != ".exr")
@@ -55,7 +55,7 @@ Result<void> check(RenderOptions& options)
 
 Result<void> write(const RenderOptions& options, std::vector<ImageLayer> layers)
 {
-    const bool png = fs::path(options.out).extension() == ".png";
+    const bool png = lowerSuffix(options.out) == ".png";
     const auto written = png || layers.size() == 1 ? writeImage(options.out, layers.front().image, png) : writeLayers(options.out, layers);
     if (!written)
         return problem(written.error());
@@ -74,7 +74,7 @@ Result<Warnings> render(RenderOptions& options)
         return problem(context.error());
     Renderer renderer;
     std::vector<ImageLayer> layers;
-    const bool linear = fs::path(options.out).extension() == ".exr";
+    const bool linear = lowerSuffix(options.out) == ".exr";
     for (const std::string& view : options.views) {
         const int samples = options.samples > 0 ? options.samples : findView(view)->isHeat || linear ? 1 : 4;
         auto image = drawPicture(renderer, scene->state, 0, scene->resources, view, options.width, options.height, samples, linear);
@@ -116,10 +116,8 @@ void addRender(CLI::App& app, int& exitCode)
         }
         tell(*warnings, options->common);
         if (options->common.json)
-            std::puts(nlohmann::ordered_json{{"file", options->out}, {"width", options->width}, {"height", options->height},
-                {"views", options->views}, {"warnings", warningsJson(*warnings)}}
-                          .dump()
-                          .c_str());
+            print(nlohmann::ordered_json{{"file", options->out}, {"width", options->width}, {"height", options->height},
+                {"views", options->views}, {"warnings", warningsJson(*warnings)}});
     });
 }
 

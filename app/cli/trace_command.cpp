@@ -115,10 +115,8 @@ void addTrace(CLI::App& app, int& exitCode)
         }
         tell(traced->warnings, options->common);
         if (options->common.json)
-            std::puts(nlohmann::ordered_json{{"file", options->out}, {"rays", traced->rays}, {"found", traced->found},
-                {"meanFetches", traced->rays ? traced->fetches / double(traced->rays) : 0.}, {"warnings", warningsJson(traced->warnings)}}
-                          .dump()
-                          .c_str());
+            print(nlohmann::ordered_json{{"file", options->out}, {"rays", traced->rays}, {"found", traced->found},
+                {"meanFetches", traced->rays ? traced->fetches / double(traced->rays) : 0.}, {"warnings", warningsJson(traced->warnings)}});
     });
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/map_images.h"
+#include "core/exporters/new_files.h"
 #include "core/file.h"
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -265,17 +266,22 @@ private:
         put(file, std::uint32_t(m_binary.size()));
         put(file, 0x004E4942u);
         file.insert(file.end(), m_binary.begin(), m_binary.end());
+        NewFiles made;
+        made.willMake(m_job.out);
         if (Expected<void> written = writeAtomically(m_job.out, file); !written)
             return tl::unexpected(written.error());
         m_exported.files.push_back(m_job.out);
-        if (!m_material.height)
+        if (!m_material.height) {
+            made.keep();
             return std::move(m_exported);
+        }
         fs::path beside = m_job.out;
         beside.replace_filename(m_job.out.stem().string() + "_height.png");
         if (Expected<void> written = writeImage(beside, reduced(heightImage(*m_material.height, 16), m_job.size, Averaging::Plain));
             !written)
             return tl::unexpected(written.error());
         m_exported.files.push_back(beside);
+        made.keep();
         return std::move(m_exported);
     }
 

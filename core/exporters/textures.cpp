@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/map_images.h"
+#include "core/exporters/new_files.h"
 #include "core/file.h"
 #include "core/maps/maps.h"
 #include <nlohmann/json.hpp>
@@ -63,6 +64,8 @@ Json numbersOf(const ExportJob& job, const Parameters& parameters)
 Expected<Exported> exportTextures(const ExportJob& job)
 {
     std::error_code code;
+    NewFiles made;
+    made.willMake(job.out);
     fs::create_directories(job.out, code);
     if (!fs::is_directory(job.out, code))
         return failure(job.out.string(), "the folder cannot be made", "Choose a folder that you may write to");
@@ -79,6 +82,7 @@ Expected<Exported> exportTextures(const ExportJob& job)
         if (!image)
             continue;
         const fs::path path = job.out / (stem + '_' + std::string(file.suffix) + ".png");
+        made.willMake(path);
         if (Expected<void> written = writeImage(path, *image, row(file.kind).isColor); !written)
             return tl::unexpected(written.error());
         exported.files.push_back(path);
@@ -97,9 +101,11 @@ Expected<Exported> exportTextures(const ExportJob& job)
         exported.warnings.push_back({"emission-clipped", "Emission brighter than 1 was clipped: PNG cannot hold it."});
     numbers["maps"] = maps;
     const fs::path path = job.out / "relief.json";
+    made.willMake(path);
     if (Expected<void> written = writeAtomically(path, numbers.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'); !written)
         return tl::unexpected(written.error());
     exported.files.push_back(path);
+    made.keep();
     return exported;
 }
 

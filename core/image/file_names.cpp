@@ -31,6 +31,11 @@ std::string lower(std::string_view text)
     std::ranges::transform(result, result.begin(), [](char c) { return isUpper(c) ? char(c - 'A' + 'a') : c; });
     return result;
 }
+std::string normalised(std::string text)
+{
+    std::ranges::replace_if(text, isSeparator, '_');
+    return lower(text);
+}
 
 // Calls visit(word, index) for each word of a list separated by spaces.
 template <class Visit> void forEachWord(std::string_view list, Visit visit)
@@ -42,11 +47,15 @@ template <class Visit> void forEachWord(std::string_view list, Visit visit)
         at = end + 1;
     }
 }
-bool listed(std::string_view list, std::string_view word)
+template <class Test> bool anyWord(std::string_view list, Test test)
 {
     bool found = false;
-    forEachWord(list, [&](std::string_view one, int) { found = found || one == word; });
+    forEachWord(list, [&](std::string_view word, int) { found = found || test(word); });
     return found;
+}
+bool listed(std::string_view list, std::string_view word)
+{
+    return anyWord(list, [&](std::string_view one) { return one == word; });
 }
 
 // Words for kinds beside the suffixes of kMapKinds.
@@ -59,7 +68,7 @@ constexpr auto kExtraWords = std::to_array<ExtraWords>({
     {MapKind::Color, "basecolour albedocolor diffusecolor diffusecolour colors coll clr"},
     {MapKind::Normal, "norms nrml nml"},
     {MapKind::AmbientOcclusion, "mixedao ambient"},
-    {MapKind::Emission, "emissivecolor selfillumination"},
+    {MapKind::Emission, "emissivecolor selfillumination a"},
     {MapKind::Opacity, "opac transparency"},
 });
 constexpr std::string_view kGlWords = "gl ogl opengl";
@@ -171,11 +180,7 @@ Convention conventionOfWord(MapKind kind, std::string_view word)
 {
     if (kind == MapKind::Height)
         return word.starts_with("depth") ? Convention::Depth : Convention::Height;
-    const auto ends = [&](std::string_view list) {
-        bool found = false;
-        forEachWord(list, [&](std::string_view end, int) { found = found || word.ends_with(end); });
-        return found;
-    };
+    const auto ends = [&](std::string_view list) { return anyWord(list, [&](std::string_view end) { return word.ends_with(end); }); };
     return kind != MapKind::Normal ? Convention::Unsure
         : ends(kDxWords)           ? Convention::DX
         : ends(kGlWords)           ? Convention::GL
@@ -283,18 +288,24 @@ std::optional<Match> pairBefore(const std::vector<Word>& words, std::size_t last
     return std::nullopt;
 }
 
+// Words [last - count, last) as one kind.
+std::optional<Match> matchRun(const std::vector<Word>& words, std::size_t count, std::size_t last)
+{
+    const std::string text = joined(words, last - count, last);
+    if (!plainWords(words, last - count, last) || (text.size() == 1 && !words[last - 1].separated))
+        return std::nullopt;
+    const Meaning* meaning = lookUp(text);
+    return meaning ? std::optional(Match{last - count, last, *meaning}) : std::nullopt;
+}
+
 // Kind words that end at `last`: the longest run that the dictionary knows.
 std::optional<Match> matchBefore(const std::vector<Word>& words, std::size_t last)
 {
     if (auto pair = pairBefore(words, last))
         return pair;
-    for (std::size_t count = std::min<std::size_t>(last, 4); count >= 1; --count) {
-        const std::string text = joined(words, last - count, last);
-        if (!plainWords(words, last - count, last) || (text.size() == 1 && !words[last - 1].separated))
-            continue;
-        if (const Meaning* meaning = lookUp(text))
-            return Match{last - count, last, *meaning};
-    }
+    for (std::size_t count = std::min<std::size_t>(last, 4); count >= 1; --count)
+        if (auto match = matchRun(words, count, last))
+            return match;
     if (auto pair = pairInWord(words[last - 1].text))
         return Match{last - 1, last, *pair};
     return std::nullopt;
@@ -344,19 +355,10 @@ std::string rest(std::string_view name, const std::vector<Word>& words, std::siz
     return text;
 }
 
-std::string normalised(std::string text)
+NameGuess guessOf(std::string_view name, const std::vector<Word>& words, const std::optional<Match>& match)
 {
-    std::ranges::replace_if(text, isSeparator, '_');
-    return lower(text);
-}
-} // namespace
-
-NameGuess guessFromName(std::string_view name)
-{
-    const std::vector<Word> words = wordsOf(name);
     NameGuess guess;
     guess.whole = normalised(rest(name, words, 0, 0));
-    const std::optional<Match> match = matchOf(words);
     guess.title = match ? rest(name, words, match->first, match->last) : rest(name, words, 0, 0);
     guess.stem = normalised(guess.title);
     if (!match)
@@ -368,7 +370,29 @@ NameGuess guessFromName(std::string_view name)
     guess.plain = {guess.roles.back().kind, Channel::Rgb};
     const std::string text = joined(words, match->first, match->last);
     guess.weak = text.size() == 1 || text == "dx" || text == "rm";
+    guess.vague = text == "a";
     return guess;
+}
+} // namespace
+
+NameGuess guessFromName(std::string_view name)
+{
+    const std::vector<Word> words = wordsOf(name);
+    return guessOf(name, words, matchOf(words));
+}
+
+std::vector<NameGuess> otherReadings(std::string_view name)
+{
+    const std::vector<Word> words = wordsOf(name);
+    const std::optional<Match> match = matchOf(words);
+    if (!match)
+        return {};
+    std::vector<NameGuess> readings;
+    for (std::size_t count = match->last - match->first; --count >= 1;)
+        if (const auto shorter = matchRun(words, count, match->last))
+            readings.push_back(guessOf(name, words, shorter));
+    readings.push_back(guessOf(name, words, std::nullopt));
+    return readings;
 }
 
 bool endsInDepth(std::string_view name)

@@ -31,12 +31,17 @@ struct NameGuess {
     Packing packing = Packing::None;
     MapRole plain{MapKind::Height}; // what a packed file is when it has no alpha: the last word's kind
     bool weak = false; // one letter: counts only when siblings of the same stem agree
+    bool vague = false; // the letter a: emission in a set with colours, if the pixels are mostly black; else no map
     int rank = 0; // 0 is the best word for its kind
     Convention convention = Convention::Unsure; // GL, DX, Height or Depth when the name says so
 };
 
 // name: a file name without folder and without suffix. Never fails; any bytes are allowed.
 NameGuess guessFromName(std::string_view name);
+
+// What the name may mean instead, likeliest first: its last kind words alone ("HammeredMetal_Roughness" need not be metal and
+// roughness in one file), or no kind at all. Empty where guessFromName finds no kind.
+std::vector<NameGuess> otherReadings(std::string_view name);
 
 // cli.md's rule for an image without siblings.
 bool endsInDepth(std::string_view name);

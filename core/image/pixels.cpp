@@ -133,6 +133,15 @@ bool alphaVaries(const Image& image)
     return low < high;
 }
 
+bool isMostlyBlack(const Image& image)
+{
+    const Plane plane = coarse(image, Channel::Rgb, 64, 64);
+    double sum = 0;
+    for (const float value : plane.values)
+        sum += double(value);
+    return sum < 0.1 * double(plane.values.size());
+}
+
 Plane coarse(const Image& image, Channel channel, int width, int height)
 {
     Plane plane{width, height, std::vector<float>(std::size_t(width) * std::size_t(height))};

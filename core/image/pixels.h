@@ -30,6 +30,7 @@ bool hasChannel(const Image& image, Channel channel);
 bool hasEqualRgb(const Image& image); // grey stored as colour; true for one or two channels
 Channel scalarChannel(const Image& image, Channel channel); // Rgb becomes R where red is all there is to know
 std::pair<double, double> rangeOf(const Image& image, Channel channel); // min and max of its finite values; (0, 0) without any
+bool isMostlyBlack(const Image& image); // its colours' mean as stored is below 0.1: black with lights in it
 bool alphaVaries(const Image& image); // has an alpha channel that is not the same everywhere
 
 // A plane of single values, row-major.

@@ -51,25 +51,68 @@ void mergeNearStems(Groups& groups)
     std::erase_if(groups, [](const auto& entry) { return entry.second.files.empty(); });
 }
 
+// Moves the files that `doubted` picks out of the group; they name no kind any more.
+template <class Doubted> void takeOut(FileGroup& group, std::vector<NamedFile>& doubtful, Doubted doubted)
+{
+    for (NamedFile& file : group.files)
+        if (doubted(file)) {
+            file.guess.roles.clear();
+            file.guess.packing = Packing::None;
+            file.guess.convention = Convention::Unsure;
+            file.guess.stem = file.guess.title = file.guess.whole;
+            doubtful.push_back(file);
+        }
+    std::erase_if(group.files, [](const NamedFile& file) { return file.guess.roles.empty(); });
+}
+
+// The letter a means emission only beside colours, and where nothing else does.
+bool vagueMayStay(const FileGroup& group)
+{
+    FileGroup clear = group;
+    std::erase_if(clear.files, [](const NamedFile& file) { return file.guess.vague; });
+    const bool weakOnly = std::ranges::all_of(clear.files, [](const NamedFile& file) { return file.guess.weak; });
+    return clear.holds(MapKind::Color) && !clear.holds(MapKind::Emission) && (!weakOnly || clear.kinds() >= 2);
+}
+
 // One-letter suffixes need a second opinion: another file of the group that names another kind.
 std::vector<NamedFile> takeDoubtful(Groups& groups)
 {
     std::vector<NamedFile> doubtful;
     for (auto& [stem, group] : groups) {
+        if (!vagueMayStay(group))
+            takeOut(group, doubtful, [](const NamedFile& file) { return file.guess.vague; });
         const bool weakOnly = std::ranges::all_of(group.files, [](const NamedFile& file) { return file.guess.weak; });
-        if (!weakOnly || group.kinds() >= 2)
-            continue;
-        for (NamedFile& file : group.files) {
-            file.guess.roles.clear();
-            file.guess.packing = Packing::None;
-            file.guess.convention = Convention::Unsure;
-            file.guess.stem = file.guess.title = file.guess.whole;
-            doubtful.push_back(std::move(file));
-        }
-        group.files.clear();
+        if (weakOnly && group.kinds() < 2)
+            takeOut(group, doubtful, [](const NamedFile&) { return true; });
     }
     std::erase_if(groups, [](const auto& entry) { return entry.second.files.empty(); });
     return doubtful;
+}
+
+std::vector<NamedFile> readNames(std::span<const fs::path> files)
+{
+    std::vector<NamedFile> named;
+    for (const fs::path& file : files)
+        named.push_back({file, guessFromName(file.stem().string())});
+    return named;
+}
+
+// A material's own name may end in a kind word ("HammeredMetal"): the reading that shares its stem with most others wins.
+void rereadBySiblings(std::vector<NamedFile>& files)
+{
+    std::map<std::string, int> all, sure; // files that name a kind, by stem; sure: by more than a letter
+    for (const NamedFile& file : files) {
+        all[file.guess.stem] += !file.guess.roles.empty();
+        sure[file.guess.stem] += !file.guess.roles.empty() && !file.guess.weak;
+    }
+    for (NamedFile& file : files) {
+        int most = all[file.guess.stem] - 1;
+        for (NameGuess& other : otherReadings(file.file.stem().string()))
+            if (const auto found = sure.find(other.stem); found != sure.end() && found->second > most) {
+                most = found->second;
+                file.guess = std::move(other);
+            }
+    }
 }
 } // namespace
 
@@ -93,8 +136,9 @@ std::vector<FileGroup> groupFiles(std::span<const fs::path> files)
 {
     Groups groups;
     std::vector<NamedFile> without;
-    for (const fs::path& file : files) {
-        NamedFile named{file, guessFromName(file.stem().string())};
+    std::vector<NamedFile> all = readNames(files);
+    rereadBySiblings(all);
+    for (NamedFile& named : all) {
         if (named.guess.roles.empty()) {
             without.push_back(std::move(named));
             continue;

@@ -149,7 +149,7 @@ Expected<SetPlan> planFolder(const fs::path& folder)
             "Name them like rock_color.png and rock_height.png, or set maps by hand (--height FILE)");
     }
     if (plan.name.empty())
-        plan.name = fs::absolute(folder / "x").parent_path().filename().string();
+        plan.name = folder.filename().string();
     return plan;
 }
 

@@ -117,6 +117,11 @@ private:
     {
         if (candidate.guess.packing == Packing::ColorAndAlpha && candidate.roles.size() == 2 && !alphaVaries(image))
             candidate.roles.pop_back();
+        if (candidate.guess.vague && !candidate.roles.empty() && !isMostlyBlack(image)) {
+            candidate.roles.clear();
+            m_set.warnings.push_back({"ignored-file",
+                candidate.file.filename().string() + " is too bright for the emission map that its letter a may mean: not used"});
+        }
         if (candidate.guess.packing != Packing::Relief || candidate.roles.size() != 2)
             return;
         const ReliefForm form = reliefForm(image, true);
@@ -220,6 +225,8 @@ MapSlots TextureSet::slots() const
 
 Expected<TextureSet> openTextureSet(const fs::path& source, const Progress& progress)
 {
+    if (source.empty())
+        return failure("SOURCE", "there is no such file or folder", "Check the path");
     std::error_code code;
     fs::path path = fs::absolute(source, code).lexically_normal();
     if (!path.has_filename())

@@ -182,7 +182,7 @@ private:
         text(value, place, name);
         if (!value.is_string())
             return true;
-        out = name.empty() || isBuiltIn(name) || !isPath ? name : fs::absolute(m_folder / name).lexically_normal().string();
+        out = name.empty() || isBuiltIn(name) || !isPath ? name : absolutePath(m_folder / name).string();
         return true;
     }
 
@@ -330,12 +330,12 @@ Expected<StateRead> readState(const State& base, const fs::path& file)
     const auto text = readText(file, std::size_t(64) << 20);
     if (!text)
         return tl::unexpected(text.error());
-    return fromJson(base, *text, fs::absolute(file).parent_path(), file.string());
+    return fromJson(base, *text, absolutePath(file).parent_path(), file.string());
 }
 
 Expected<void> writeState(const State& state, const fs::path& file)
 {
-    return writeAtomically(file, toJson(state, fs::absolute(file).lexically_normal().parent_path()));
+    return writeAtomically(file, toJson(state, absolutePath(file).parent_path()));
 }
 
 } // namespace relievo

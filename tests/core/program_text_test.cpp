@@ -77,6 +77,9 @@ TEST(ProgramText, LogsNameFileAndLine)
     const ShaderText text{"", {"generated text", "contract.glsl", "techniques/relief.glsl"}};
     EXPECT_EQ(namedLog("2:17(4): error: no such thing", text), "techniques/relief.glsl:17: error: no such thing");
     EXPECT_EQ(namedLog("ERROR: 1:3: x", text), "ERROR: contract.glsl:3: x");
+    EXPECT_EQ(namedLog("1:3\n12:4(7", text), "contract.glsl:3\n12:4(7");
+    for (const char* plain : {"", "1", "1:", "a: 17 (2)", "99999999999999999999:1", "1: 2"})
+        EXPECT_EQ(namedLog(plain, text), plain);
 }
 
 TEST(ProgramText, MissingIncludeIsAnError)

@@ -152,6 +152,45 @@ TEST(TextureSetNames, NearlyEqualStemsAreOneSet)
     EXPECT_EQ(groups[1].kinds(), 0);
 }
 
+TEST(TextureSetNames, TheLetterAIsVagueAndWantsAColor)
+{
+    using Files = std::vector<std::filesystem::path>;
+    EXPECT_TRUE(guessFromName("pipes_a").vague);
+    EXPECT_FALSE(guessFromName("pipes_d").vague);
+    const auto first = [](const Files& files) { return groupFiles(files)[0]; };
+    EXPECT_TRUE(first({"pipes_a.png", "pipes_d.png", "pipes_n.png"}).holds(MapKind::Emission));
+    EXPECT_TRUE(first({"pipes_a.png", "pipes_color.png"}).holds(MapKind::Emission));
+    EXPECT_FALSE(first({"pipes_a.png", "pipes_h.png", "pipes_n.png"}).holds(MapKind::Emission)); // no colour
+    EXPECT_EQ(first({"vitamin_a.png", "vitamin_d.png"}).kinds(), 0); // is no second opinion itself
+    const FileGroup both = first({"pipes_a.png", "pipes_color.png", "pipes_emissive.png"});
+    EXPECT_EQ(both.files.size(), 2u);
+    EXPECT_FALSE(both.contains("pipes_a.png"));
+}
+
+TEST(TextureSetNames, AMaterialsNameMayEndInAKindWord)
+{
+    const std::vector<std::filesystem::path> metal
+        = {"HammeredMetal_Color.png", "HammeredMetal_Height.png", "HammeredMetal_Roughness.png", "HammeredMetal_Metallic.png"};
+    const std::vector<FileGroup> groups = groupFiles(metal);
+    ASSERT_EQ(groups.size(), 1u);
+    EXPECT_EQ(groups[0].title, "HammeredMetal");
+    EXPECT_EQ(groups[0].kinds(), 4);
+    const std::vector<std::filesystem::path> pair = {"HammeredMetal_Color.png", "HammeredMetal_Roughness.png"};
+    EXPECT_EQ(groupFiles(pair).size(), 1u);
+    EXPECT_EQ(groupFiles(pair)[0].kinds(), 2);
+    // Where the siblings say so, metal and roughness do lie in one file.
+    const std::vector<std::filesystem::path> packed = {"Avocado_baseColor.png", "Avocado_normal.png", "Avocado_metalRoughness.png"};
+    EXPECT_EQ(groupFiles(packed)[0].stem, "avocado");
+    EXPECT_EQ(groupFiles(packed)[0].kinds(), 4);
+    // The image that bears the material's name alone.
+    const std::vector<std::filesystem::path> plain = {"HammeredMetal.png", "HammeredMetal_Normal.png"};
+    ASSERT_EQ(groupFiles(plain).size(), 1u);
+    EXPECT_EQ(groupFiles(plain)[0].plain.size(), 1u);
+    // A map that is named twice over keeps its own set.
+    const std::vector<std::filesystem::path> twice = {"rock_h.png", "rock_n.png", "rock_metallic.png", "rock_metallic_ao.png"};
+    EXPECT_TRUE(groupFiles(twice)[0].holds(MapKind::Metallic));
+}
+
 TEST(TextureSetNames, MapKindsAreFoundByKey)
 {
     EXPECT_EQ(findMapKind("ao"), MapKind::AmbientOcclusion);

@@ -89,6 +89,34 @@ TEST(TextureSet, DepthAndDirectXAreMeasuredNotBelieved)
     EXPECT_TRUE(slots[std::size_t(MapKind::Color)].empty());
 }
 
+TEST(TextureSet, TheLetterAIsEmissionWhenItIsDark)
+{
+    const auto lights = [](float ground) {
+        return makeImage(kSize, kSize, 1, PixelType::U8, [=](int x, int y, int) { return x % 16 == 0 && y % 16 == 0 ? 1.f : ground; });
+    };
+    for (const float ground : {0.f, 0.5f}) {
+        const TemporaryFolder folder;
+        const auto set
+            = openSet(folder, {{"pipes_d.png", flatColor()}, {"pipes_n.png", hillNormals(kSize, false)}, {"pipes_a.png", lights(ground)}});
+        ASSERT_TRUE(set) << message(set.error());
+        EXPECT_EQ(fileOf(*set, MapKind::Emission), ground == 0.f ? "pipes_a.png" : "");
+        EXPECT_EQ(tells(set->warnings, "ignored-file"), ground != 0.f);
+        EXPECT_EQ(set->maps.size(), ground == 0.f ? 3u : 2u);
+    }
+}
+
+TEST(TextureSet, RoughnessOfAMaterialNamedMetalIsKept)
+{
+    const TemporaryFolder folder;
+    const auto set = openSet(
+        folder, {{"HammeredMetal_Color.png", flatColor()}, {"HammeredMetal_Roughness.png", noiseImage(kSize, kSize, 1, PixelType::U8)}});
+    ASSERT_TRUE(set) << message(set.error());
+    EXPECT_EQ(set->name, "HammeredMetal");
+    EXPECT_EQ(fileOf(*set, MapKind::Roughness), "HammeredMetal_Roughness.png");
+    EXPECT_FALSE(find(*set, MapKind::Metallic));
+    EXPECT_TRUE(set->warnings.empty());
+}
+
 TEST(TextureSet, NormalOfAnotherMaterialIsTold)
 {
     const TemporaryFolder folder;

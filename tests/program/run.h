@@ -6,19 +6,22 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 struct ProgramRun {
     int exitCode = -1;
     std::string out, err;
 };
 
-// Runs `relievo ARGUMENTS` through the shell; a crash gives an exit code above 128.
-inline ProgramRun runRelievo(const std::string& arguments)
+// Runs `relievo ARGUMENTS` through the shell; a crash gives an exit code above 128, more than `seconds` gives 124.
+inline ProgramRun runRelievo(const std::string& arguments, int seconds = 60)
 {
     const std::filesystem::path errors = std::filesystem::temp_directory_path() / ("relievo_err_" + std::to_string(getpid()));
     ProgramRun run;
-    FILE* pipe = popen(("timeout 60 " RELIEVO_BIN "/relievo " + arguments + " 2>" + errors.string()).c_str(), "r");
+    FILE* pipe
+        = popen(("timeout " + std::to_string(seconds) + " " RELIEVO_BIN "/relievo " + arguments + " 2>" + errors.string()).c_str(), "r");
     std::array<char, 4096> buffer;
     for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
         run.out.append(buffer.data(), n);
@@ -31,6 +34,14 @@ inline ProgramRun runRelievo(const std::string& arguments)
     }
     std::filesystem::remove(errors);
     return run;
+}
+
+// The largest resident memory of any program that has ended so far, helpers included; MiB.
+inline long peakMemoryMiB()
+{
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return usage.ru_maxrss >> 10;
 }
 
 // A folder of the test's own, removed at its end.
