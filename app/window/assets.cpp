@@ -69,6 +69,9 @@ Expected<Resources> loadWhatIsThere(const State& state, const DecodedImages& ima
 Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObject(parent), m_document(document), m_messages(messages)
 {
     connect(&document, &Document::changed, this, &Assets::follow);
+    connect(&m_background, &Background::failed, this, [this](const QString& what) {
+        m_messages.set("load", Error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"});
+    });
 }
 
 Assets::Loaded Assets::open(const std::string& source, const State& base, const Resources& previous, const Progress& progress)

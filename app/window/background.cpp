@@ -5,7 +5,9 @@
 #include <QMetaObject>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <memory>
+#include <new>
 
 namespace relievo {
 namespace {
@@ -21,6 +23,18 @@ struct Ticker {
     }
 };
 } // namespace
+
+Background::Then Background::guarded(const std::function<Then()>& work)
+{
+    const auto failure = [this](const QString& what) -> Then { return [this, what] { Q_EMIT failed(what); }; };
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        return failure(tr("there is not enough memory"));
+    } catch (const std::exception& error) {
+        return failure(tr("internal fault (%1)").arg(error.what()));
+    }
+}
 
 Background::Background(QObject* parent) : QObject(parent) { }
 
@@ -44,7 +58,7 @@ void Background::start(std::function<Then(const Progress&)> work)
                                   QMetaObject::invokeMethod(
                                       this, [this, id, share] { this->report(id, share); }, Qt::QueuedConnection);
                           };
-                          const Then then = work(Progress{report, stop});
+                          const Then then = guarded([&] { return work(Progress{report, stop}); });
                           QMetaObject::invokeMethod(
                               this, [this, id, then] { finish(id, then); }, Qt::QueuedConnection);
                       })});

@@ -25,9 +25,11 @@ public:
 
 Q_SIGNALS:
     void busyChanged(bool busy);
+    void failed(const QString& what); // the work threw: out of memory, or a fault of ours
     void progressed(float share); // [0, 1], about 20 times a second at most
 
 private:
+    Then guarded(const std::function<Then()>& work); // no exception leaves a thread
     void finish(int id, const Then& then);
     void report(int id, float share);
     struct Run {

@@ -22,6 +22,7 @@ constexpr FileKindRow kFileKinds[] = {
     {"image", "Images", kImages},
     {"mesh", "Meshes", "gltf glb obj ply stl off"},
     {"panorama", "Panoramas", "hdr exr"},
+    {"preset", "Presets", "json relievo"},
     {"folder", "Folders", ""},
 };
 const FileKindRow& rowOf(FileKind kind)

@@ -9,7 +9,7 @@ class QWidget;
 
 namespace relievo {
 
-enum class FileKind { Source, Project, Image, Mesh, Panorama, Folder };
+enum class FileKind { Source, Project, Image, Mesh, Panorama, Preset, Folder };
 
 // Whether the suffix of `file` is one of the kind's.
 bool fits(FileKind kind, const QString& file);

@@ -6,6 +6,7 @@
 #include "app/window/recent_files.h"
 #include "app/window/text.h"
 #include "core/image/samples.h"
+#include "core/state/presets.h"
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
@@ -106,6 +107,32 @@ void Files::fillSamples(QMenu& menu)
         action->setToolTip(qt(row.help));
         connect(action, &QAction::triggered, this, [this, key = row.key] { m_assets.openInto("sample:" + qt(key)); });
     }
+}
+
+void Files::fillPresets(QMenu& menu)
+{
+    for (const PresetRow& row : kPresets) {
+        QAction* action = menu.addAction(qt(row.label));
+        action->setToolTip(qt(row.help));
+        connect(action, &QAction::triggered, this, [this, &row] { applyPreset(std::string(row.key)); });
+    }
+    menu.addSeparator();
+    connect(menu.addAction(tr("From file...")), &QAction::triggered, this,
+        [this] { askForFile(m_window, tr("Preset"), FileKind::Preset, [this](const QString& file) { applyPreset(file.toStdString()); }); });
+}
+
+void Files::applyPreset(const std::string& nameOrFile)
+{
+    const auto read = readPreset(m_document.state(), nameOrFile);
+    if (!read)
+        return m_messages.set("preset", read.error());
+    m_messages.set("preset", read->warnings);
+    // A preset holds numbers and a technique; what it says of files stays out of it.
+    m_document.edit(tr("Preset"), [&](State& state) {
+        state.parameters = read->state.parameters;
+        state.panes.front() = read->state.panes.front();
+    });
+    m_document.endGesture();
 }
 
 } // namespace relievo

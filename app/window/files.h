@@ -29,6 +29,8 @@ public:
 
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
+    void fillPresets(QMenu& menu);
+    void applyPreset(const std::string& nameOrFile); // its numbers and technique; the maps stay
 
 private:
     void saveTo(const QString& file, const std::function<void()>& then);

@@ -253,14 +253,14 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const auto urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls.front().isLocalFile())
+    if (!urls.isEmpty() && urls.front().isLocalFile())
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
     event->acceptProposedAction();
-    m_files->take(event->mimeData()->urls().front().toLocalFile());
+    m_files->take(event->mimeData()->urls().front().toLocalFile()); // of several images the first finds its siblings
 }
 
 void MainWindow::restoreLayout()

@@ -20,6 +20,7 @@ void MainWindow::addTableMenus()
     QAction* line = file->actions().value(file->actions().indexOf(m_actions["save"]) - 1); // the separator
     lazyMenu(file, line, tr("Open recent"), [this](QMenu& menu) { m_files->fillRecent(menu); });
     lazyMenu(file, line, tr("Built-in materials"), [this](QMenu& menu) { m_files->fillSamples(menu); });
+    lazyMenu(file, line, tr("Presets"), [this](QMenu& menu) { m_files->fillPresets(menu); });
     QMenu* view = menuOf(bar, "View");
     QAction* first = view->actions().front();
     lazyMenu(view, first, tr("Technique"), [this](QMenu& menu) {

@@ -283,7 +283,7 @@ void Viewport::updateOverlays()
     const ViewRow* view = findView(state.view);
     m_legend->setVisible(view && view->isHeat);
     if (view && view->isHeat)
-        m_legend->show(qt(view->label), qt(view->unit), double(heatRange(state.parameters, state.view)));
+        m_legend->show(qt(view->label), qt(view->unit), double(heatRange(effectiveParameters(state, 0), state.view)));
 }
 
 void Viewport::chooseTechnique(int pane)

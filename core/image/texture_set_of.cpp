@@ -1,8 +1,11 @@
 // The set that a project's slots describe, for telling what is in it.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/material.h"
 #include "core/image/pixels.h"
 #include "core/image/texture_set.h"
+#include <algorithm>
+#include <tuple>
 
 namespace relievo {
 
@@ -26,6 +29,24 @@ FoundMap foundMap(const MapKindRow& row, const MapSlot& slot, const Image& image
     return map;
 }
 
+// A map that is made by formula has no file to measure: it is made.
+void addSampleMap(TextureSet& set, const MapKindRow& row, const MapSlot& slot, const MapSlots& slots)
+{
+    MapSlots one;
+    one[std::size_t(row.kind)] = slots[std::size_t(row.kind)];
+    const auto material = loadMaterial(one);
+    if (!material) {
+        set.warnings.push_back({"map-missing", message(material.error())});
+    } else if (const Image* image = material->map(row.kind)) {
+        set.maps.push_back(foundMap(row, slot, *image));
+    } else if (material->height) {
+        const HeightField& field = *material->height;
+        const auto [low, high] = std::ranges::minmax(field.texels());
+        set.maps.push_back({row.kind, slot.file, Channel::R, {field.width(), field.height(), 1, field.storedBits(), false},
+            conventionOf(row, slot), double(low), double(high)});
+    }
+}
+
 } // namespace
 
 TextureSet textureSetOf(const std::string& name, const MapSlots& slots, const std::filesystem::path& folder)
@@ -35,8 +56,12 @@ TextureSet textureSetOf(const std::string& name, const MapSlots& slots, const st
     set.folder = folder;
     for (const MapKindRow& row : kMapKinds) {
         const MapSlot& slot = slots[std::size_t(row.kind)];
-        if (slot.empty() || slot.file.starts_with("sample:"))
+        if (slot.empty())
             continue;
+        if (slot.file.starts_with("sample:")) {
+            addSampleMap(set, row, slot, slots);
+            continue;
+        }
         if (!set.images.contains(slot.file)) {
             auto read = readImage(slot.file);
             if (!read) {

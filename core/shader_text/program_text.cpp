@@ -208,7 +208,8 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     const TechniqueRow* technique = findTechnique(features.technique);
     const ViewRow* view = findView(features.view);
     if (!technique || technique->file.empty() || !view)
-        return failure(features.technique + ", " + features.view, technique && view ? "this technique runs on given rays only" : "there is no such technique or view",
+        return failure(features.technique + ", " + features.view,
+            technique && view ? "this technique runs on given rays only" : "there is no such technique or view",
             technique && view ? "Use it in relievo trace" : "relievo describe lists them");
 
     // First the shading texts alone, to know which maps they read; the functions must stand before their use.

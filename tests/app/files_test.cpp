@@ -1,7 +1,9 @@
 // Files in the window: opening, dropping, assigning, saving, exporting, and what happens when they are broken.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/background.h"
 #include "app/window/export_dialog.h"
+#include "app/window/files.h"
 #include "core/image/samples.h"
 #include "tests/app/window_support.h"
 #include <QLineEdit>
@@ -242,4 +244,29 @@ TEST_F(WindowTest, AFolderOfRealTexturesOpens)
     EXPECT_FALSE(slotOf(state(), MapKind::Height).empty());
     EXPECT_TRUE(slotOf(state(), MapKind::Normal).invert) << "DirectX style";
     EXPECT_TRUE(waitFor([&] { return window.viewport().isFull(); }));
+}
+
+TEST_F(WindowTest, APresetChangesNumbersAndKeepsMaps)
+{
+    const MapSlots before = state().slots;
+    auto* files = window.findChild<Files*>();
+    ASSERT_TRUE(files);
+    files->applyPreset("fine");
+    EXPECT_EQ(state().parameters.maxSteps, 256);
+    EXPECT_EQ(state().slots, before);
+    EXPECT_EQ(steps(), 1);
+    files->applyPreset("no such preset");
+    EXPECT_EQ(steps(), 1);
+}
+
+TEST_F(WindowTest, WorkThatThrowsIsToldNotFatal)
+{
+    Background background;
+    QString told;
+    QObject::connect(&background, &Background::failed, [&](const QString& what) { told = what; });
+    background.start([](const Progress&) -> Background::Then { throw std::bad_alloc(); });
+    for (int i = 0; i < 200 && told.isEmpty(); ++i)
+        QTest::qWait(10);
+    EXPECT_TRUE(told.contains("memory"));
+    EXPECT_FALSE(background.busy());
 }
