@@ -369,7 +369,7 @@ TEST(TextureSet, KindsOfTheRealSets)
         {"panda_terrain_16bit", "height"},
         {"pk01_grating", "height color normal specular"},
         {"pk02_panels01a_dx", "height color normal specular"},
-        {"pk02_pipes01_dx", "height color normal specular"},
+        {"pk02_pipes01_dx", "height color normal specular emission"},
         {"usgs_jacksboro_dem_16bit", "height"},
     };
     for (const auto& [name, kinds] : wanted) {
