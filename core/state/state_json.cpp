@@ -177,6 +177,8 @@ private:
     {
         std::string name = out;
         text(value, place, name);
+        if (!value.is_string())
+            return true;
         out = name.empty() || isBuiltIn(name) || !isPath ? name : absolutePath(m_folder / name).string();
         return true;
     }
