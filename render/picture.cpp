@@ -80,6 +80,11 @@ Image linearImage(const std::vector<float>& sums, int width, int height, int sam
 
 } // namespace
 
+glm::vec2 pixelShift(int k)
+{
+    return glm::vec2(radicalInverse(k + 1, 2), radicalInverse(k + 1, 3)) - 0.5f;
+}
+
 Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, const Resources& resources, std::string_view view,
     int width, int height, int samples, bool linear)
 {
@@ -93,7 +98,7 @@ Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t 
     framebuffer.resize(width, height, linear);
     const std::size_t count = std::size_t(width) * std::size_t(height) * 4;
     const auto draw = [&](int i) {
-        const glm::vec2 jitter = samples == 1 ? glm::vec2(0.f) : glm::vec2(radicalInverse(i + 1, 2), radicalInverse(i + 1, 3)) - 0.5f;
+        const glm::vec2 jitter = samples == 1 ? glm::vec2(0.f) : pixelShift(i);
         return renderer.draw(state, pane, resources, view, {framebuffer.handle(), width, height, linear, 1.f, jitter});
     };
     if (linear)

@@ -27,6 +27,9 @@ private:
     std::unique_ptr<Impl> m;
 };
 
+// Shift of the k-th of several averaged pictures, in pixels within [-0.5, 0.5): radical inverses of k + 1 in bases 2 and 3.
+glm::vec2 pixelShift(int k);
+
 inline constexpr std::size_t kMaxPicturePixels = std::size_t(8192) * 8192;
 
 // One picture of `width` x `height` pixels, RGBA, row 0 at the top: U8 display values, or F32 linear values when `linear`.

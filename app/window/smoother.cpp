@@ -2,23 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/smoother.h"
+#include "render/windowless.h"
 #include <cassert>
 #include <epoxy/gl.h>
 
 namespace relievo {
-namespace {
-// Of `i` > 0 in the base: 1/2, 1/4, 3/4 ... for base 2.
-float radicalInverse(int i, int base)
-{
-    float value = 0.f, digit = 1.f;
-    for (; i > 0; i /= base) {
-        digit /= float(base);
-        value += digit * float(i % base);
-    }
-    return value;
-}
-} // namespace
-
 Smoother::~Smoother()
 {
     if (!m_texture)
@@ -29,7 +17,7 @@ Smoother::~Smoother()
 
 glm::vec2 Smoother::nextShift() const
 {
-    return glm::vec2(radicalInverse(m_count + 1, 2), radicalInverse(m_count + 1, 3)) - 0.5f;
+    return pixelShift(m_count);
 }
 
 void Smoother::add(const Framebuffer& picture)
