@@ -34,10 +34,10 @@ Result<Scene> bake(const BakeOptions& options)
     if (!material->height)
         return problem({"the material has no height map to bake from", options.state.source, "Add one by --height FILE"});
     const Parameters parameters = effectiveParameters(opened->state, 0);
-    const auto image = bakeMap(*row, material->height->withWrap(parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat), parameters, progress);
-    if (!image)
-        return problem(image.error());
-    if (const auto written = writeImage(options.out, withBits(*image, options.bits)); !written)
+    const auto map = bakeMap(*row, material->height->withWrap(parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat), parameters, progress);
+    if (!map)
+        return problem(map.error());
+    if (const auto written = writeImage(options.out, storedMap(*row, *map, options.bits).levels.front()); !written)
         return problem(written.error());
     Scene scene{opened->state, {}, opened->warnings};
     scene.warnings.insert(scene.warnings.end(), material->warnings.begin(), material->warnings.end());

@@ -51,9 +51,9 @@ Table techniques()
 {
     Table table;
     for (const TechniqueRow& row : kTechniques)
-        table.push_back(
-            {{"key", row.key}, {"label", row.label}, {"maps", row.maps}, {"parameters", row.parameters}, {"displaces", row.displaces},
-                {"searches", row.searches}, {"canMiss", row.canMiss}, {"isExact", row.isExact}, {"paper", row.paper}, {"help", row.help}});
+        table.push_back({{"key", row.key}, {"label", row.label}, {"maps", row.maps}, {"bound", row.bound}, {"parameters", row.parameters},
+            {"displaces", row.displaces}, {"searches", row.searches}, {"canMiss", row.canMiss}, {"isExact", row.isExact},
+            {"paper", row.paper}, {"help", row.help}});
     return table;
 }
 

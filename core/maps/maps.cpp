@@ -10,9 +10,9 @@
 
 namespace relievo {
 
-Image bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress)
+BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
-    return normalFromHeight(field, parameters.depth * parameters.normalStrength, progress);
+    return {{normalFromHeight(field, parameters.depth * parameters.normalStrength, progress)}};
 }
 
 const MapRow* findMap(std::string_view key)
@@ -21,16 +21,33 @@ const MapRow* findMap(std::string_view key)
     return found == kMaps.end() ? nullptr : &*found;
 }
 
-Expected<Image> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
     try {
-        Image image = row.bake(field, parameters, progress);
+        BakedMap map = row.bake(field, parameters, progress);
         if (progress.cancelled())
             return failure(std::string(row.key), "cancelled");
-        return image;
+        return map;
     } catch (const std::bad_alloc&) {
         return failure(std::string(row.key), "there is not enough memory to bake this map", "Use a smaller height map");
     }
+}
+
+BakedMap storedMap(const MapRow&, const BakedMap& map, int bits)
+{
+    BakedMap out = map;
+    for (Image& level : out.levels)
+        level = withBits(level, bits);
+    return out;
+}
+
+Expected<std::shared_ptr<const BakedMap>> cachedMap(
+    const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+{
+    const auto baked = bakeMap(row, field, parameters, progress);
+    if (!baked)
+        return tl::unexpected(baked.error());
+    return std::make_shared<const BakedMap>(storedMap(row, *baked, row.bits));
 }
 
 Image withBits(const Image& image, int bits)

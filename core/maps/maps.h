@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/image/height_field.h"
 #include "core/image/image.h"
+#include "core/maps/baked_map.h"
 #include "core/progress.h"
 #include "core/state/parameters.h"
 #include <array>
@@ -17,21 +18,32 @@ struct MapRow {
     std::string_view label;
     std::string_view unit;
     int channels;
-    Image (*bake)(const HeightField& field, const Parameters& parameters, const Progress& progress);
+    std::array<ChannelRule, 4> rules; // of each channel, when stored
+    int bits; // a channel has when stored, unless asked otherwise: 8, 16 or 32 (float)
+    int version; // of the algorithm: maps of another version in the cache are not used
+    std::string_view parameters; // rows of kParameters that the result depends on, separated by spaces
+    BakedMap (*bake)(const HeightField& field, const Parameters& parameters, const Progress& progress); // F32 values, scale 1
     std::string_view help;
 };
 
-Image bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress);
+BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress);
 
 inline constexpr auto kMaps = std::to_array<MapRow>({
-    {"normal", "Normal", "unit vector / 2 + 1/2", 3, bakeNormal,
+    {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, "depth normalStrength", bakeNormal,
         "Tangent-space normals of the height map at the State's depth, OpenGL style."},
 });
 
 const MapRow* findMap(std::string_view key); // nullptr when unknown
 
-// The row's map of a field. Cancelled: error with what == "cancelled". Out of memory: an error that says so.
-Expected<Image> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress = {});
+// The row's map of a field, as floats. Cancelled: error with what == "cancelled". Out of memory: an error that says so.
+Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress = {});
+
+// The map in `bits` a channel (8, 16 or 32 for float), each channel rounded and encoded by the row's rule; `map` holds floats.
+BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits);
+
+// What a technique or a bake command uses: the row's map stored in row.bits, from the cache or baked now.
+Expected<std::shared_ptr<const BakedMap>> cachedMap(
+    const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress = {});
 
 // The image in another precision: bits 8, 16 or 32 (float). Values keep their meaning; rounding is to nearest.
 Image withBits(const Image& image, int bits);

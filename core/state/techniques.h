@@ -12,6 +12,7 @@ struct TechniqueRow {
     std::string_view label;
     std::string_view file; // under shaders/, "" for the CPU-only reference
     std::string_view maps; // map kinds it cannot do without, separated by spaces
+    std::string_view bound; // row of kMaps that it searches with, read through boundAt and its like; "" for none
     std::string_view parameters; // rows of kParameters marked "technique" that it reads
     std::string_view paper;
     bool displaces; // the picture moves: the mesh is pushed out for the midlevel
@@ -22,18 +23,18 @@ struct TechniqueRow {
 };
 
 inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
-    {"flat", "Flat", "techniques/flat.glsl", "", "", "-", false, false, false, false,
+    {"flat", "Flat", "techniques/flat.glsl", "", "", "", "-", false, false, false, false,
         "No relief: colour and roughness on the smooth mesh."},
-    {"bump", "Bump", "techniques/bump.glsl", "", "", "Blinn 1978, Simulation of Wrinkled Surfaces", false, false, false, false,
+    {"bump", "Bump", "techniques/bump.glsl", "", "", "", "Blinn 1978, Simulation of Wrinkled Surfaces", false, false, false, false,
         "Normals only: light reacts to the relief, the picture does not move. The normal map, or normals made from the height map."},
-    {"parallax", "Parallax", "techniques/parallax.glsl", "height", "offsetLimiting heightMips",
+    {"parallax", "Parallax", "techniques/parallax.glsl", "height", "", "offsetLimiting heightMips",
         "Kaneko et al. 2001, Detailed Shape Representation with Parallax Mapping; Welsh 2004 (offset limiting)", true, false, false, false,
         "One step along the view by the height under the surface point: cheap, right only for gentle slopes."},
-    {"relief", "Relief", "techniques/relief.glsl", "height", "minSteps maxSteps refineSteps heightMips shadows",
+    {"relief", "Relief", "techniques/relief.glsl", "height", "", "minSteps maxSteps refineSteps heightMips shadows",
         "Policarpo, Oliveira, Comba 2005, Real-Time Relief Mapping on Arbitrary Polygonal Surfaces, section 3", true, true, false, false,
         "Linear search whose step count follows the viewing angle, then bisection of the step that went inside."},
-    {"reference", "Reference", "", "height", "", "Exact: ray against each bilinear cell in turn, double precision", true, true, false, true,
-        "The exact answer that all others are measured against. CPU only."},
+    {"reference", "Reference", "", "height", "", "", "Exact: ray against each bilinear cell in turn, double precision", true, true, false,
+        true, "The exact answer that all others are measured against. CPU only."},
 });
 
 const TechniqueRow* findTechnique(std::string_view key); // nullptr when unknown

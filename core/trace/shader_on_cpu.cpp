@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/shader_on_cpu.h"
+#include "core/maps/maps.h"
 #include "core/state/techniques.h"
 #include "core/trace/reference.h"
 #include <algorithm>
@@ -96,14 +97,43 @@ SearchHit searched(Search search, const Parameters& parameters, const HeightFiel
 
 } // namespace
 
-Expected<std::vector<SearchHit>> traceRays(
-    std::string_view key, const Parameters& parameters, const HeightField* field, std::span<const SearchRay> rays, const Progress& progress)
+Expected<SearchMaps> searchMaps(std::string_view key, const Parameters& parameters, const HeightField* field, const Progress& progress)
 {
     const TechniqueRow* row = findTechnique(key);
     if (!row)
         return failure(std::string(key), "there is no such technique", "relievo describe techniques lists them");
     if (!field && listHas(row->maps, "height"))
         return failure(std::string(key), "this technique needs a height map and there is none", "Add one, or use flat or bump");
+    SearchMaps maps;
+    if (field)
+        maps.height = *field;
+    if (row->bound.empty())
+        return maps;
+    auto bound = cachedMap(*findMap(row->bound), *field, parameters, progress);
+    if (!bound)
+        return tl::unexpected(bound.error());
+    maps.bound = std::move(*bound);
+    return maps;
+}
+
+Expected<std::vector<SearchHit>> traceRays(
+    std::string_view key, const Parameters& parameters, const HeightField* field, std::span<const SearchRay> rays, const Progress& progress)
+{
+    const auto maps = searchMaps(key, parameters, field, progress);
+    if (!maps)
+        return tl::unexpected(maps.error());
+    return traceRays(key, parameters, *maps, rays, progress);
+}
+
+Expected<std::vector<SearchHit>> traceRays(
+    std::string_view key, const Parameters& parameters, const SearchMaps& maps, std::span<const SearchRay> rays, const Progress& progress)
+{
+    const TechniqueRow* row = findTechnique(key);
+    if (!row)
+        return failure(std::string(key), "there is no such technique", "relievo describe techniques lists them");
+    const HeightField* field = maps.height ? &*maps.height : nullptr;
+    if ((!field && listHas(row->maps, "height")) || (!maps.bound && !row->bound.empty()))
+        return failure(std::string(key), "this technique needs maps that are not there", "Make them by searchMaps");
     const auto found = std::ranges::find(kSearches, row->file, &SearchRow::file);
     const bool exact = row->key == "reference";
     if (!exact && found == std::end(kSearches))

@@ -4,20 +4,35 @@
 #pragma once
 #include "core/error.h"
 #include "core/image/height_field.h"
+#include "core/maps/baked_map.h"
 #include "core/progress.h"
 #include "core/state/parameters.h"
 #include "core/trace/ray.h"
 #include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace relievo {
 
-// Runs technique `key` (a row of kTechniques; "reference" is exactHit) on each ray, on all threads of TBB. The field's wrap mode
-// counts, its base level is read. `field` may be null for techniques whose row names no maps.
+// What a search reads: the height field (its wrap mode counts) and the bound map of its technique's row.
+struct SearchMaps {
+    std::optional<HeightField> height;
+    std::shared_ptr<const BakedMap> bound;
+};
+// The maps of technique `key` on a field, baked or from the cache. `field` may be null for techniques whose row names no maps.
+// Errors: unknown technique, a height map that is wanted and missing, those of the bake.
+Expected<SearchMaps> searchMaps(
+    std::string_view key, const Parameters& parameters, const HeightField* field, const Progress& progress = {});
+
+// Runs technique `key` (a row of kTechniques; "reference" is exactHit) on each ray, on all threads of TBB, on the base level.
 // A ray that is not finite gives {false, 1, (0, 0), 0} (cli.md); a miss gives uv + duv.
-// Errors: unknown technique, a height map that is wanted and missing, cancelled.
+// Errors: unknown technique, maps that are wanted and missing, cancelled.
+Expected<std::vector<SearchHit>> traceRays(std::string_view key, const Parameters& parameters, const SearchMaps& maps,
+    std::span<const SearchRay> rays, const Progress& progress = {});
+// The same with the maps made first.
 Expected<std::vector<SearchHit>> traceRays(std::string_view key, const Parameters& parameters, const HeightField* field,
     std::span<const SearchRay> rays, const Progress& progress = {});
 
