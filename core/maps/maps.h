@@ -7,6 +7,7 @@
 #include "core/image/image.h"
 #include "core/maps/baked_map.h"
 #include "core/maps/cone.h"
+#include "core/maps/distance.h"
 #include "core/maps/pyramid.h"
 #include "core/progress.h"
 #include "core/state/parameters.h"
@@ -48,6 +49,9 @@ inline constexpr auto kMaps = std::to_array<MapRow>({
         "2007)."},
     {"cone-robust", "Robust cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, "", bakeConeRobust,
         "Height, and the smallest of 3 x 3 cone ratios that only texels before a falling edge limit (Ban et al. 2024)."},
+    {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 1, "", bakeDistance,
+        "Distance to the relief at up to 128 x 128 x 32 points of the slab, for sphere tracing (Donnelly 2005); the slices one below the "
+        "other, from the top down."},
 });
 
 const MapRow* findMap(std::string_view key); // nullptr when unknown

@@ -187,7 +187,7 @@ TEST(RelaxedCone, CellAgreesWithSampledExitPoints)
         const auto corner = [&] { return base + range * (trial % 5 == 0 ? std::round(unit(random)) : unit(random)); };
         const RelaxedCell cell{
             {corner(), corner(), corner(), corner()}, double(random() % 4), double(random() % 4), 1. / 8, 1. / (8 + trial % 7)};
-        const double apex = trial % 4 == 0 && cell.x == 0 && cell.y == 0 ? double(cell.corners.h00) : 0.8 * double(unit(random));
+        const double apex = cell.x == 0 && cell.y == 0 ? double(cell.corners.h00) : 0.8 * double(unit(random));
         double sampled = HUGE_VAL;
         constexpr int kSamples = 200;
         for (int j = 0; j <= kSamples; ++j)
@@ -203,7 +203,7 @@ TEST(RelaxedCone, CellAgreesWithSampledExitPoints)
             }
         const double ratio = relaxedRatio(cell, apex);
         ASSERT_LE(ratio, sampled * (1 + 1e-9)) << trial;
-        if (sampled < HUGE_VAL && sampled > 0.05) {
+        if (sampled < kCap) {
             ASSERT_GE(ratio, sampled * 0.8) << trial; // samples lie 1 / 200 texel apart: a thin region of exits shows few of them
             near += ratio > sampled * 0.98;
             ++limited;
