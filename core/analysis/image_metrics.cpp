@@ -114,25 +114,44 @@ Kernel balanced(Kernel kernel)
     return kernel;
 }
 
-Plane filteredAlong(const Plane& plane, int width, int height, const Kernel& kernel, bool rows)
+// to[i] += weight * from[i]
+void add(float* to, const float* from, float weight, int count)
+{
+    for (int i = 0; i < count; ++i)
+        to[i] += weight * from[i];
+}
+
+// Outside the picture its border goes on.
+Plane filteredRows(const Plane& plane, int width, int height, const Kernel& kernel)
 {
     Plane out(plane.size());
     const int radius = int(kernel.size()) / 2;
     tbb::parallel_for(0, height, [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            float sum = 0.f;
-            for (int k = -radius; k <= radius; ++k) {
-                const int i = rows ? std::clamp(x + k, 0, width - 1) : x, j = rows ? y : std::clamp(y + k, 0, height - 1);
-                sum += kernel[std::size_t(k + radius)] * plane[std::size_t(j) * std::size_t(width) + std::size_t(i)];
-            }
-            out[std::size_t(y) * std::size_t(width) + std::size_t(x)] = sum;
+        const float* row = &plane[std::size_t(y) * std::size_t(width)];
+        std::vector<float> padded(std::size_t(radius), row[0]);
+        padded.insert(padded.end(), row, row + width);
+        padded.insert(padded.end(), std::size_t(radius), row[width - 1]);
+        for (std::size_t k = 0; k < kernel.size(); ++k)
+            add(&out[std::size_t(y) * std::size_t(width)], &padded[k], kernel[k], width);
+    });
+    return out;
+}
+Plane filteredColumns(const Plane& plane, int width, int height, const Kernel& kernel)
+{
+    Plane out(plane.size());
+    const int radius = int(kernel.size()) / 2;
+    tbb::parallel_for(0, height, [&](int y) {
+        for (int k = -radius; k <= radius; ++k) {
+            const int from = std::clamp(y + k, 0, height - 1);
+            add(&out[std::size_t(y) * std::size_t(width)], &plane[std::size_t(from) * std::size_t(width)], kernel[std::size_t(k + radius)],
+                width);
         }
     });
     return out;
 }
 Plane filtered(const Plane& plane, int width, int height, const Kernel& alongX, const Kernel& alongY)
 {
-    return filteredAlong(filteredAlong(plane, width, height, alongX, true), width, height, alongY, false);
+    return filteredColumns(filteredRows(plane, width, height, alongX), width, height, alongY);
 }
 
 // What the eye's contrast sensitivity leaves of a channel: a sum of two Gaussians whose weights make the whole kernel sum to 1.
@@ -226,27 +245,39 @@ double psnr(const Image& a, const Image& b)
     return 10. * std::log10(255. * 255. * 3. * double(a.texelCount()) / squares);
 }
 
-std::vector<float> flipMap(const Image& reference, const Image& test, double pixelsPerDegree)
+struct Flip::Parts {
+    Picture lab;
+    Features features;
+    Parts(const Picture& opponent, double perDegree) : lab(perceived(opponent, perDegree)), features(featuresOf(opponent, perDegree)) { }
+};
+
+Flip::Flip(const Image& reference, double pixelsPerDegree)
+    : m_reference(std::make_shared<const Parts>(opponentPicture(reference), pixelsPerDegree))
+    , m_pixelsPerDegree(pixelsPerDegree)
 {
-    assert(reference.width == test.width && reference.height == test.height);
-    assert(reference.type == PixelType::U8 && test.type == PixelType::U8 && reference.channels >= 3 && test.channels >= 3);
-    const Picture a = opponentPicture(reference), b = opponentPicture(test);
-    const Picture labA = perceived(a, pixelsPerDegree), labB = perceived(b, pixelsPerDegree);
-    const Features featuresA = featuresOf(a, pixelsPerDegree), featuresB = featuresOf(b, pixelsPerDegree);
-    std::vector<float> map(reference.texelCount());
+    assert(reference.type == PixelType::U8 && reference.channels >= 3);
+}
+
+std::vector<float> Flip::map(const Image& test) const
+{
+    assert(test.width == m_reference->lab.width && test.height == m_reference->lab.height);
+    assert(test.type == PixelType::U8 && test.channels >= 3);
+    const Parts& a = *m_reference;
+    const Parts b(opponentPicture(test), m_pixelsPerDegree);
+    std::vector<float> map(test.texelCount());
     for (std::size_t i = 0; i < map.size(); ++i) {
-        const float edge = std::abs(featuresA.edges[i] - featuresB.edges[i]);
-        const float point = std::abs(featuresA.points[i] - featuresB.points[i]);
+        const float edge = std::abs(a.features.edges[i] - b.features.edges[i]);
+        const float point = std::abs(a.features.points[i] - b.features.points[i]);
         const float feature = std::sqrt(std::clamp(std::max(edge, point) / std::numbers::sqrt2_v<float>, 0.f, 1.f));
-        map[i] = std::pow(colorDifference(labA.at(i), labB.at(i)), 1.f - feature);
+        map[i] = std::pow(colorDifference(a.lab.at(i), b.lab.at(i)), 1.f - feature);
     }
     return map;
 }
 
-double meanFlip(const Image& reference, const Image& test, double pixelsPerDegree)
+double Flip::mean(const Image& test) const
 {
-    const std::vector<float> map = flipMap(reference, test, pixelsPerDegree);
-    return map.empty() ? 0. : std::accumulate(map.begin(), map.end(), 0.) / double(map.size());
+    const std::vector<float> all = map(test);
+    return all.empty() ? 0. : std::accumulate(all.begin(), all.end(), 0.) / double(all.size());
 }
 
 } // namespace relievo

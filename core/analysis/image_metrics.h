@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/image/image.h"
+#include <memory>
 #include <vector>
 
 namespace relievo {
@@ -16,8 +17,17 @@ double psnr(const Image& a, const Image& b);
 inline constexpr double kPixelsPerDegree = 67.;
 
 // FLIP for pictures of low dynamic range (Andersson et al. 2020, FLIP: A Difference Evaluator for Alternating Images): for each pixel
-// what a viewer notices when the two pictures alternate, 0 (nothing) to 1. Row-major, row 0 at the top.
-std::vector<float> flipMap(const Image& reference, const Image& test, double pixelsPerDegree = kPixelsPerDegree);
-double meanFlip(const Image& reference, const Image& test, double pixelsPerDegree = kPixelsPerDegree);
+// what a viewer notices when the two pictures alternate, 0 (nothing) to 1. Holds what depends on the reference only.
+class Flip {
+public:
+    explicit Flip(const Image& reference, double pixelsPerDegree = kPixelsPerDegree);
+    std::vector<float> map(const Image& test) const; // row-major, row 0 at the top
+    double mean(const Image& test) const;
+
+private:
+    struct Parts;
+    std::shared_ptr<const Parts> m_reference;
+    double m_pixelsPerDegree;
+};
 
 } // namespace relievo

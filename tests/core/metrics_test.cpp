@@ -57,6 +57,11 @@ Image noisy(int strength, std::uint32_t seed = 1)
     });
 }
 
+double meanFlip(const Image& reference, const Image& test, double pixelsPerDegree = kPixelsPerDegree)
+{
+    return Flip(reference, pixelsPerDegree).mean(test);
+}
+
 } // namespace
 
 TEST(Metrics, DeepShortAndRight)
@@ -247,7 +252,7 @@ TEST(Flip, IsSymmetricAndStaysInRange)
 {
     const Image a = noisy(50, 1), b = noisy(50, 2);
     EXPECT_NEAR(meanFlip(a, b), meanFlip(b, a), 1e-6);
-    for (const float v : flipMap(a, b))
+    for (const float v : Flip(a).map(b))
         EXPECT_TRUE(v >= 0.f && v <= 1.f);
 }
 
@@ -257,7 +262,7 @@ TEST(Flip, IsLocal)
     const auto lined = [](int column) {
         return picture(120, 40, [=](int x, int) { return x == column ? std::array{255, 255, 255} : std::array{40, 40, 40}; });
     };
-    const auto map = flipMap(lined(20), lined(-1));
+    const auto map = Flip(lined(20)).map(lined(-1));
     EXPECT_GT(map[20 * 120 + 20], 0.3f);
     EXPECT_EQ(map[20 * 120 + 100], 0.f);
 }
