@@ -71,8 +71,10 @@ Result<void> check(const ReportOptions& options)
 Result<std::vector<Subject>> subjectsOf(const ReportOptions& options, const Progress& progress)
 {
     std::vector<Subject> subjects;
+    const float share = options.hardCases ? 1.f / float(kHardCases.size()) : 1.f;
     const auto add = [&](const StateOptions& state) -> Result<void> {
-        auto subject = openSubject(state, !options.noPictures, progress);
+        const float from = share * float(subjects.size());
+        auto subject = openSubject(state, !options.noPictures, part(progress, from, from + share));
         if (!subject)
             return tl::unexpected(subject.error());
         subjects.push_back(std::move(*subject));

@@ -22,7 +22,7 @@ constexpr Column kRayColumns[] = {
     {"maxFetches", [](const SweepRow& r) { return double(r.errors.maxFetches); }},
     {"overshootPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.tooDeep); }},
     {"shortPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.tooShort); }},
-    {"missedPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.notFound); }},
+    {"notFoundPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.notFound); }},
     {"rmse", [](const SweepRow& r) { return r.errors.rmse; }},
     {"maxError", [](const SweepRow& r) { return r.errors.largest; }},
     {"rmseTexels", [](const SweepRow& r) { return r.errors.rmseTexels; }},

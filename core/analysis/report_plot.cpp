@@ -17,7 +17,7 @@ constexpr std::array<std::array<const char*, 2>, 7> kColors = {{{"#0072b2", "#4a
     {"#b0588c", "#e39ac4"}, {"#b37a00", "#e6b422"}, {"#444444", "#d0d0d0"}, {"#2f9fd8", "#8fd0f5"}}};
 constexpr std::size_t kMarkers = 5;
 
-constexpr double kWidth = 380, kHeight = 296, kLeft = 58, kRight = 12, kTop = 26, kBottom = 44;
+constexpr double kWidth = 310, kHeight = 262, kLeft = 54, kRight = 10, kTop = 26, kBottom = 42;
 constexpr double kZeroLine = 16; // room for the line marked 0 below the floor
 
 std::string text(double value)
