@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/source.h"
+#include "core/analysis/hard_cases.h"
 #include "core/image/samples.h"
 #include "core/state/state_json.h"
 #include <algorithm>
@@ -12,30 +13,65 @@ namespace relievo {
 namespace fs = std::filesystem;
 
 namespace {
-Expected<Opened> openSample(std::string_view key, const State& base)
+template <class Rows> std::string keysOf(const Rows& rows)
 {
-    const std::string_view name = key.substr(0, key.find('@'));
-    const SampleRow* sample = findSample(name);
-    if (!sample) {
-        std::string known;
-        for (const SampleRow& row : kSamples)
-            known += (known.empty() ? "" : ", ") + std::string(row.key);
-        return failure("sample:" + std::string(key), "there is no such sample", "There are " + known);
+    std::string keys;
+    for (const auto& row : rows)
+        keys += (keys.empty() ? "" : ", ") + std::string(row.key);
+    return keys;
+}
+
+// KEY or KEY@SIZE, as it follows "sample:".
+struct SampleName {
+    std::string_view key;
+    int size; // 0 when it cannot be made
+};
+SampleName sampleName(std::string_view text, int plainSize)
+{
+    SampleName name{text.substr(0, text.find('@')), plainSize};
+    if (name.key.size() < text.size()) {
+        const auto [end, code] = std::from_chars(text.data() + name.key.size() + 1, text.data() + text.size(), name.size);
+        name.size = code == std::errc() && end == text.data() + text.size() && name.size <= 8192 ? std::max(name.size, 0) : 0;
     }
+    return name;
+}
+constexpr std::string_view kSizeWrong = "this size cannot be made", kSizesPossible = "1 to 8192 texels are possible";
+
+Expected<Opened> openSample(std::string_view text, const State& base)
+{
+    const SampleName name = sampleName(text, kSampleSize);
+    const SampleRow* sample = findSample(name.key);
+    if (!sample)
+        return failure("sample:" + std::string(text), "there is no such sample", "There are " + keysOf(kSamples));
+    if (name.size == 0)
+        return failure("sample:" + std::string(text), std::string(kSizeWrong), std::string(kSizesPossible));
     Opened opened{base, {}, {}};
-    int size = kSampleSize;
-    if (name.size() < key.size()) {
-        const auto [end, code] = std::from_chars(key.data() + name.size() + 1, key.data() + key.size(), size);
-        size = code == std::errc() && end == key.data() + key.size() ? size : 0;
-    }
-    if (size < 1 || size > 8192)
-        return failure("sample:" + std::string(key), "this size cannot be made", "1 to 8192 texels are possible");
-    opened.state.slots = sampleSlots(name, size);
+    opened.state.slots = sampleSlots(name.key, name.size);
     opened.state.name = sample->label;
     opened.state.parameters.depth = sample->depth;
     return opened;
 }
+
+Expected<Opened> openHardCase(std::string_view text, const State& base)
+{
+    const SampleName name = sampleName(text, kHardCaseSize);
+    const HardCaseRow* row = findHardCase(name.key);
+    if (!row)
+        return failure("hard:" + std::string(text), "there is no such hard case", "There are " + keysOf(kHardCases));
+    if (name.size == 0)
+        return failure("hard:" + std::string(text), std::string(kSizeWrong), std::string(kSizesPossible));
+    Opened opened{base, {}, {}};
+    opened.state.slots = hardCaseSlots(row->key, name.size);
+    opened.state.name = row->label;
+    opened.state.parameters.depth = kHardCaseDepth;
+    return opened;
+}
 } // namespace
+
+bool isBuiltInSource(std::string_view source)
+{
+    return source.starts_with("sample:") || source.starts_with("hard:");
+}
 
 std::string lowerSuffix(const fs::path& file)
 {
@@ -58,7 +94,10 @@ bool isProjectFile(const fs::path& file)
 Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress)
 {
     if (source.starts_with("sample:"))
-        return openSample(std::string_view(source).substr(7), base);
+        return source.starts_with("sample:hard-") ? openHardCase(std::string_view(source).substr(12), base)
+                                                  : openSample(std::string_view(source).substr(7), base);
+    if (source.starts_with("hard:"))
+        return openHardCase(std::string_view(source).substr(5), base);
     std::error_code code;
     const fs::path path = fs::absolute(source, code).lexically_normal();
     if (source.empty() || !fs::exists(path, code))

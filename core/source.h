@@ -23,14 +23,17 @@ struct Resources {
     std::string meshName, environmentName;
 };
 
-// SOURCE of cli.md: "*.relievo", a folder, an image of a set, a single image, or "sample:KEY". The result is `base` with the maps
-// (and for a project everything) replaced. A sample also sets its depth.
+// SOURCE of cli.md: "*.relievo", a folder, an image of a set, a single image, "sample:KEY" or "hard:KEY" (hard_cases.h). The result is
+// `base` with the maps (and for a project everything) replaced. A sample also sets its depth.
 struct Opened {
     State state;
     DecodedImages images; // spares loadResources a second decode
     Warnings warnings;
 };
 Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress = {});
+
+// Whether SOURCE names something made by formula: there is no file behind it.
+bool isBuiltInSource(std::string_view source);
 
 // ".png" of "A.PNG".
 std::string lowerSuffix(const std::filesystem::path& file);

@@ -25,7 +25,8 @@ void Common::addTo(CLI::App& command)
 
 void StateOptions::addTo(CLI::App& command)
 {
-    command.add_option("SOURCE", source, "Project (*.relievo), folder of a texture set, one image of a set, or sample:NAME")->type_name("");
+    command.add_option("SOURCE", source, "Project (*.relievo), folder of a texture set, one image of a set, sample:NAME or hard:NAME")
+        ->type_name("");
     command.add_option("--preset", preset, "Preset by name or file")->type_name("NAME|FILE");
     command.add_option("--technique", technique, "Search technique, see relievo describe techniques")->type_name("KEY");
     command.add_option("--set", set, "Parameter, repeatable, see relievo describe parameters")

@@ -69,6 +69,9 @@ void addBake(CLI::App& app, int& exitCode);
 void addExport(CLI::App& app, int& exitCode);
 void addDescribe(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
+void addReport(CLI::App& app, int& exitCode);
+void addTune(CLI::App& app, int& exitCode);
+void addCompare(CLI::App& app, int& exitCode);
 
 // Starts the editor in place of this program; returns only when that failed.
 int startEditor(int argc, char** argv);

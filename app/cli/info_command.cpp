@@ -28,7 +28,7 @@ Result<Json> infoOf(const InfoOptions& options)
             return problem(mesh.error());
         return Json::parse(meshJson(*mesh));
     }
-    if (isProjectFile(options.source) || options.source.starts_with("sample:")) {
+    if (isProjectFile(options.source) || isBuiltInSource(options.source)) {
         const auto opened = openSource(options.source, State(), progress);
         if (!opened)
             return problem(opened.error());

@@ -19,8 +19,8 @@ struct CommandRow {
     std::string_view key;
     AddCommand add;
 };
-constexpr CommandRow kCommands[]
-    = {{"render", addRender}, {"trace", addTrace}, {"bake", addBake}, {"export", addExport}, {"describe", addDescribe}, {"info", addInfo}};
+constexpr CommandRow kCommands[] = {{"render", addRender}, {"trace", addTrace}, {"bake", addBake}, {"export", addExport},
+    {"describe", addDescribe}, {"info", addInfo}, {"report", addReport}, {"tune", addTune}, {"compare", addCompare}};
 
 // RELIEVO_THREADS bounds the worker threads for as long as the value lives.
 std::unique_ptr<tbb::global_control> boundedThreads()

@@ -43,7 +43,7 @@ int startEditor(int argc, char** argv)
         return app.exit(error) == 0 ? Done : WrongUsage;
     }
     std::error_code code;
-    if (!options.source.empty() && !options.source.starts_with("sample:") && !fs::exists(options.source, code))
+    if (!options.source.empty() && !isBuiltInSource(options.source) && !fs::exists(options.source, code))
         return tell({{"there is no such file, folder or command", options.source, "relievo --help lists the commands"}, WrongUsage});
     if (!options.changesState())
         return execute(options.source.empty() ? std::vector<std::string>() : std::vector{options.source});

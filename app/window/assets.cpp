@@ -110,7 +110,7 @@ void Assets::openDocument(const QString& source, const State& base, bool counted
             take(loaded.resources);
             const bool project = isProjectFile(source.toStdString());
             m_document.start(loaded.opened.state, project ? QFileInfo(source).absoluteFilePath() : QString());
-            if (counted && !source.startsWith("sample:"))
+            if (counted && !isBuiltInSource(source.toStdString()))
                 addRecentFile(QFileInfo(source).absoluteFilePath());
         };
     });
@@ -144,10 +144,10 @@ void Assets::openInto(const QString& source)
             m_document.edit(tr("Open %1").arg(QString::fromStdString(loaded.opened.state.name)), [&](State& state) {
                 state.slots = loaded.opened.state.slots;
                 state.name = loaded.opened.state.name;
-                if (source.startsWith("sample:")) // a sample brings its depth
+                if (isBuiltInSource(source.toStdString())) // a sample brings its depth
                     state.parameters.depth = loaded.opened.state.parameters.depth;
             });
-            if (!source.startsWith("sample:"))
+            if (!isBuiltInSource(source.toStdString()))
                 addRecentFile(QFileInfo(source).absoluteFilePath());
         };
     });

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/material.h"
+#include "core/analysis/hard_cases.h"
 #include "core/image/file_names.h"
 #include "core/image/map_image.h"
 #include "core/image/samples.h"
@@ -14,6 +15,7 @@ namespace relievo {
 namespace fs = std::filesystem;
 namespace {
 constexpr std::string_view kSamplePrefix = "sample:";
+constexpr std::string_view kHardPrefix = "hard-";
 constexpr int kLargestSample = 8192; // texels a side
 
 struct SampleName {
@@ -113,6 +115,9 @@ private:
         const SampleRow* row = parsed ? findSample(parsed->key) : nullptr;
         if (row)
             return std::make_shared<const Sample>(row->make(parsed->size));
+        if (const HardCaseRow* hard
+            = parsed && parsed->key.starts_with(kHardPrefix) ? findHardCase(parsed->key.substr(kHardPrefix.size())) : nullptr)
+            return std::make_shared<const Sample>(hardCaseSample(*hard, parsed->size));
         trouble = failure(name, "there is no such built-in sample", "Choose one from the list of samples");
         return nullptr;
     }

@@ -69,7 +69,7 @@ int wrapped(std::int64_t cell, int size, Wrap wrap)
 
 } // namespace
 
-SearchHit exactHit(const HeightField& field, const SearchRay& ray)
+SearchHit exactHit(const HeightField& field, const SearchRay& ray, double raise)
 {
     SearchHit hit;
     if (!finite(ray))
@@ -87,7 +87,7 @@ SearchHit exactHit(const HeightField& field, const SearchRay& ray)
         const double kx = double(k.h10) - k.h00, ky = double(k.h01) - k.h00, kxy = double(k.h11) - k.h10 - k.h01 + k.h00;
         const double u = x.fraction(enter), v = y.fraction(enter);
         const double root = firstRoot(-kxy * x.slope * y.slope, -1. - kx * x.slope - ky * y.slope - kxy * (u * y.slope + v * x.slope),
-            1. - enter - (k.h00 + kx * u + ky * v + kxy * u * v), leave - enter);
+            1. - enter - raise - (k.h00 + kx * u + ky * v + kxy * u * v), leave - enter);
         if (root != kNever || leave >= 1.) {
             hit.found = true;
             hit.t = root == kNever ? 1. : std::min(enter + root, 1.);

@@ -12,7 +12,8 @@ namespace relievo {
 // solved in closed form. A ray that is not finite: {false, 1, (0, 0), 0}.
 // At most kMaxReferenceCells cells are visited; a ray that crosses more (a lateral travel of millions of texels) ends there as
 // a miss: {false, 1, uv + duv, cells}.
+// raise: the surface is that much higher everywhere (it may leave [0, 1]); where it is lowered, a ray that meets nothing ends at t = 1.
 inline constexpr int kMaxReferenceCells = 1 << 22;
-SearchHit exactHit(const HeightField& field, const SearchRay& ray);
+SearchHit exactHit(const HeightField& field, const SearchRay& ray, double raise = 0.);
 
 } // namespace relievo

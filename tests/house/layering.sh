@@ -18,8 +18,8 @@ forbid 'core knows neither render nor app' '#include *"(render|app)/' core
 forbid 'render uses no Qt' '#include *[<"]Q' render
 forbid 'render does not know app' '#include *"app/' render
 forbid 'the command line uses no Qt' '#include *[<"]Q' app/cli
-forbid 'core starts no threads of its own' 'std::(j?thread|async)\b' core/state core/image core/maps core/mesh core/shader_text core/trace core/exporters
-forbid 'core does not exit or print' '\b(std::exit|std::cout|std::cerr|std::puts|std::printf)\b' core/state core/image core/maps core/mesh core/shader_text core/trace core/exporters
+forbid 'core starts no threads of its own' 'std::(j?thread|async)\b' core/state core/image core/maps core/mesh core/shader_text core/trace core/analysis core/exporters
+forbid 'core does not exit or print' '\b(std::exit|std::cout|std::cerr|std::puts|std::printf)\b' core/state core/image core/maps core/mesh core/shader_text core/trace core/analysis core/exporters
 if found=$(grep -rln 'OpenImageIO/' app render core --include='*.h' --include='*.cpp' | grep -v '^core/imageio/'); then
     printf 'only core/imageio uses OpenImageIO:\n%s\n' "$found"
     failed=1

@@ -1,0 +1,280 @@
+// relievo report: speed against error, measured and written as HTML, JSON or CSV.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/measuring.h"
+#include "core/analysis/hard_cases.h"
+#include "core/analysis/report.h"
+#include "core/file.h"
+#include "core/image/image_file.h"
+#include "render/frame_time.h"
+#include "render/picture_errors.h"
+#include <charconv>
+#include <epoxy/gl.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace relievo::cli {
+
+namespace {
+
+struct ReportOptions {
+    Common common;
+    StateOptions state;
+    std::string out;
+    std::vector<std::string> techniques, angles;
+    bool hardCases = false, fast = false, noPictures = false;
+    int rays = 5000, size = 0;
+    std::uint32_t seed = 1;
+};
+
+std::optional<AngleBand> bandOf(const std::string& text)
+{
+    AngleBand band{};
+    const char* const end = text.data() + text.size();
+    const auto [dash, first] = std::from_chars(text.data(), end, band.from);
+    if (first != std::errc() || dash == end || *dash != '-')
+        return std::nullopt;
+    const auto [rest, second] = std::from_chars(dash + 1, end, band.to);
+    const bool good = second == std::errc() && rest == end && band.from >= 0. && band.from <= band.to && band.to <= 89.99;
+    return good ? std::optional(band) : std::nullopt;
+}
+
+Result<std::vector<AngleBand>> bandsOf(const std::vector<std::string>& texts)
+{
+    std::vector<AngleBand> bands;
+    for (const std::string& text : texts) {
+        const auto band = bandOf(text);
+        if (!band)
+            return problem(
+                {"this is no band of angles", "--angles " + text, "Write FROM-TO in degrees from the normal, 0 to 89.99, such as 60-80"},
+                WrongUsage);
+        bands.push_back(*band);
+    }
+    if (bands.empty())
+        bands.assign(kAngleBands.begin(), kAngleBands.end());
+    return bands;
+}
+
+Result<void> check(const ReportOptions& options)
+{
+    const std::string suffix = lowerSuffix(options.out);
+    if (suffix != ".html" && suffix != ".json" && suffix != ".csv")
+        return problem({"a report is written as .html, .json or .csv", "-o " + options.out, "Choose one of these suffixes"}, WrongUsage);
+    if (options.hardCases && !options.state.source.empty())
+        return problem({"--hard-cases brings its own height fields", options.state.source, "Leave out one of the two"}, WrongUsage);
+    if (!options.hardCases && options.size > 0)
+        return problem(
+            {"a material is measured in its own size", "--size", "Use it with --hard-cases, or write sample:NAME@N"}, WrongUsage);
+    return {};
+}
+
+Result<std::vector<Subject>> subjectsOf(const ReportOptions& options, const Progress& progress)
+{
+    std::vector<Subject> subjects;
+    const float share = options.hardCases ? 1.f / float(kHardCases.size()) : 1.f;
+    const auto add = [&](const StateOptions& state) -> Result<void> {
+        const float from = share * float(subjects.size());
+        auto subject = openSubject(state, !options.noPictures, part(progress, from, from + share));
+        if (!subject)
+            return tl::unexpected(subject.error());
+        subjects.push_back(std::move(*subject));
+        return {};
+    };
+    if (!options.hardCases) {
+        if (const auto added = add(options.state); !added)
+            return tl::unexpected(added.error());
+        return subjects;
+    }
+    StateOptions state = options.state;
+    for (const HardCaseRow& row : kHardCases) {
+        state.source = "hard:" + std::string(row.key) + '@' + std::to_string(options.size > 0 ? options.size : kHardCaseSize);
+        if (const auto added = add(state); !added)
+            return tl::unexpected(added.error());
+        subjects.back().field.key = row.key;
+    }
+    return subjects;
+}
+
+struct GpuRun {
+    Renderer& renderer;
+    const ReportOptions& options;
+    Report& report;
+    Progress progress;
+};
+
+// One field at one angle: times of all settings in one interleaved run, then their pictures.
+Expected<void> measureAngle(GpuRun& run, const Subject& subject, std::size_t field, std::size_t angle)
+{
+    const auto& [renderer, options, report, progress] = run;
+    const State view = fillingView(subject.state, report.angles[angle]);
+    std::vector<TimedFrame> frames = {plainQuad(view)};
+    for (const SearchSetting& setting : report.plan.settings)
+        frames.push_back({withSetting(view, setting), "color"});
+    const auto times = frameTimes(
+        renderer, subject.resources, frames, report.pictureWidth, report.pictureHeight, options.fast ? 3 : 5, Progress{{}, progress.stop});
+    if (!times)
+        return tl::unexpected(times.error());
+    const auto judge = PictureJudge::create(renderer, view, subject.resources, report.pictureWidth, report.pictureHeight);
+    if (!judge)
+        return tl::unexpected(judge.error());
+    for (std::size_t i = 0; i < report.plan.settings.size(); ++i) {
+        const auto verdict = judge->judge(report.plan.settings[i]);
+        if (!verdict)
+            return tl::unexpected(verdict.error());
+        const double ms = (*times)[i + 1];
+        report.pictures.push_back({i, field, angle, ms, ms / std::max((*times)[0], 1e-6), verdict->psnr, verdict->flip});
+    }
+    return {};
+}
+
+// Without a context the report goes without pictures, and says so.
+Expected<void> measurePictures(const ReportOptions& options, const std::vector<Subject>& subjects, Report& report, const Progress& progress)
+{
+    const auto context = WindowlessContext::create();
+    if (!context) {
+        report.warnings.push_back({"no-pictures", "There are no times and pictures: " + message(context.error())});
+        return {};
+    }
+    Renderer renderer;
+    report.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    report.angles.assign(kPictureAngles.begin(), kPictureAngles.end());
+    report.exactLabel = mostExactSetting(report.plan.settings.front().parameters).label;
+    report.pictureWidth = options.fast ? 320 : 800;
+    report.pictureHeight = options.fast ? 240 : 600;
+    GpuRun run{renderer, options, report, progress};
+    const std::size_t steps = subjects.size() * report.angles.size();
+    for (std::size_t field = 0; field < subjects.size(); ++field)
+        for (std::size_t angle = 0; angle < report.angles.size(); ++angle) {
+            if (const auto measured = measureAngle(run, subjects[field], field, angle); !measured)
+                return measured;
+            progress.at(float(field * report.angles.size() + angle + 1) / float(steps));
+        }
+    return {};
+}
+
+Expected<void> addHeats(
+    const std::vector<const TechniqueRow*>& techniques, const Subject& subject, bool fast, Report& report, const Progress& progress)
+{
+    const Parameters parameters = effectiveParameters(subject.state, 0);
+    report.heatField = subject.field.label;
+    report.heatView.depth = subject.field.depth;
+    report.heatView.fetchRange = double(parameters.fetchRange), report.heatView.errorRange = double(parameters.errorRange);
+    if (fast)
+        report.heatView.width = 200, report.heatView.height = 125;
+    for (const TechniqueRow* technique : techniques) {
+        if (!technique->displaces)
+            continue; // nothing is searched
+        const SearchSetting setting = plainSetting(*technique, parameters);
+        const auto heats = heatPictures(setting, subject.field.heights, report.heatView, Progress{{}, progress.stop});
+        if (!heats)
+            return tl::unexpected(heats.error());
+        auto fetches = encodePng(heats->fetches, true);
+        auto error = encodePng(heats->error, true);
+        if (!fetches || !error)
+            return tl::unexpected(fetches ? error.error() : fetches.error());
+        report.heats.push_back({setting.label, std::move(*fetches), std::move(*error), heats->meanFetches, heats->meanError});
+    }
+    return {};
+}
+
+// The field that the heat maps show: of the hard cases the one that looks like something.
+const Subject& shownSubject(const std::vector<Subject>& subjects)
+{
+    const auto bricks = std::ranges::find(subjects, "bricks", [](const Subject& s) { return s.field.key; });
+    return bricks == subjects.end() ? subjects.front() : *bricks;
+}
+
+Result<Report> measure(const ReportOptions& options)
+{
+    if (const auto good = check(options); !good)
+        return tl::unexpected(good.error());
+    const auto techniques = techniquesOf(options.techniques);
+    const auto bands = bandsOf(options.angles);
+    if (!techniques || !bands)
+        return tl::unexpected(techniques ? bands.error() : techniques.error());
+    const Progress progress = shownProgress(options.common);
+    const auto subjects = subjectsOf(options, part(progress, 0.f, 0.1f));
+    if (!subjects)
+        return tl::unexpected(subjects.error());
+
+    Report report;
+    report.title = options.hardCases ? "Hard cases" : subjects->front().state.name;
+    report.plan.bands = *bands;
+    report.plan.rays = options.rays;
+    report.plan.seed = options.seed;
+    report.plan.freshMaps = true;
+    for (const TechniqueRow* technique : *techniques)
+        for (SearchSetting& setting : settingsOf(*technique, effectiveParameters(subjects->front().state, 0), kReportSteps))
+            report.plan.settings.push_back(std::move(setting));
+    for (const Subject& subject : *subjects) {
+        report.plan.fields.push_back(subject.field);
+        report.warnings.insert(report.warnings.end(), subject.warnings.begin(), subject.warnings.end());
+    }
+    auto rows = sweep(report.plan, part(progress, 0.1f, options.noPictures ? 0.9f : 0.4f));
+    if (!rows)
+        return problem(rows.error());
+    report.rows = std::move(*rows);
+    if (!options.noPictures)
+        if (const auto done = measurePictures(options, *subjects, report, part(progress, 0.4f, 0.9f)); !done)
+            return problem(done.error());
+    if (lowerSuffix(options.out) == ".html")
+        if (const auto done = addHeats(*techniques, shownSubject(*subjects), options.fast, report, progress); !done)
+            return problem(done.error());
+    progress.at(1.f);
+    return report;
+}
+
+Result<Report> measureAndWrite(const ReportOptions& options)
+{
+    auto report = measure(options);
+    if (!report)
+        return report;
+    const std::string suffix = lowerSuffix(options.out);
+    const std::string text = suffix == ".html" ? reportHtml(*report) : suffix == ".json" ? reportJson(*report) : reportCsv(*report);
+    if (const auto written = writeAtomically(options.out, text); !written)
+        return problem(written.error());
+    return report;
+}
+
+} // namespace
+
+void addReport(CLI::App& app, int& exitCode)
+{
+    auto options = std::make_shared<ReportOptions>();
+    CLI::App* command = app.add_subcommand("report", "Speed against error of the techniques: tables, plots, heat maps");
+    options->state.addTo(*command);
+    options->common.addTo(*command);
+    command->add_flag("--hard-cases", options->hardCases, "Measure on the built-in hard height fields instead of a SOURCE");
+    command->add_option("-o", options->out, "Report to write: .html, .json or .csv")->required()->type_name("OUT");
+    command->add_option("--techniques", options->techniques, "Only these techniques; all when not given")
+        ->type_name("KEY,KEY...")
+        ->delimiter(',');
+    command
+        ->add_option(
+            "--angles", options->angles, "Bands of angles between view and normal, degrees; 0-60,60-80,80-88,88-89.9 when not given")
+        ->type_name("FROM-TO,...")
+        ->delimiter(',');
+    command->add_option("--rays", options->rays, "Rays a field and band; 5000 when not given")
+        ->check(CLI::Range(1, 1000000))
+        ->type_name("N");
+    command->add_option("--size", options->size, "Texels a side of the hard cases; 256 when not given")
+        ->check(CLI::Range(2, 4096))
+        ->type_name("N");
+    command->add_option("--seed", options->seed, "Seed of the rays; 1 when not given")->type_name("N");
+    command->add_flag("--fast", options->fast, "Smaller pictures and fewer timed frames");
+    command->add_flag("--no-pictures", options->noPictures, "Searches on the CPU only: no times of frames, no PSNR and FLIP");
+    command->callback([options, &exitCode] {
+        const auto report = measureAndWrite(*options);
+        if (!report) {
+            exitCode = tell(report.error());
+            return;
+        }
+        tell(report->warnings, options->common);
+        if (options->common.json)
+            print(nlohmann::ordered_json{{"file", options->out}, {"settings", report->plan.settings.size()},
+                {"fields", report->plan.fields.size()}, {"rays", report->rows.size()}, {"pictures", report->pictures.size()},
+                {"warnings", warningsJson(report->warnings)}});
+    });
+}
+
+} // namespace relievo::cli

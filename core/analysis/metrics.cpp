@@ -1,0 +1,106 @@
+// Counting wrong hits.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/metrics.h"
+#include "core/trace/reference.h"
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace relievo {
+
+namespace {
+
+bool valid(const SearchHit& hit)
+{
+    return hit.t >= 0. && hit.t <= 1. && std::isfinite(hit.uv.x) && std::isfinite(hit.uv.y);
+}
+
+double texelsOf(const HeightField& field, const SearchRay& ray)
+{
+    return std::hypot(ray.duv.x * field.width(), ray.duv.y * field.height());
+}
+
+// Within what the exact answer would be on a surface a hair higher or lower.
+bool tied(const HeightField& field, const SearchRay& ray, double t)
+{
+    return t >= exactHit(field, ray, kTieHeight).t && t <= exactHit(field, ray, -kTieHeight).t;
+}
+
+void countFetches(HitErrors& errors, std::vector<int>& fetches)
+{
+    if (fetches.empty())
+        return;
+    double sum = 0.;
+    for (const int f : fetches)
+        sum += f;
+    errors.meanFetches = sum / double(fetches.size());
+    const auto at = fetches.begin() + std::ptrdiff_t((fetches.size() - 1) * 99 / 100);
+    std::nth_element(fetches.begin(), at, fetches.end());
+    errors.p99Fetches = *at;
+    errors.maxFetches = *std::max_element(at, fetches.end());
+}
+
+} // namespace
+
+HitErrors compareHits(
+    const HeightField& field, std::span<const SearchRay> rays, std::span<const SearchHit> hits, std::span<const SearchHit> exact)
+{
+    assert(rays.size() == hits.size() && rays.size() == exact.size());
+    HitErrors errors;
+    std::vector<int> fetches;
+    double squares = 0., squaresTexels = 0.;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!exact[i].found)
+            continue;
+        if (!valid(hits[i])) {
+            ++errors.invalid;
+            continue;
+        }
+        const double t = hits[i].found ? hits[i].t : 1., difference = t - exact[i].t, distance = std::abs(difference);
+        const double texels = distance * texelsOf(field, rays[i]);
+        fetches.push_back(hits[i].fetches);
+        ++errors.rays;
+        errors.notFound += !hits[i].found;
+        if (distance > kWrongDepth && texels > kWrongTexels) {
+            if (tied(field, rays[i], t)) {
+                ++errors.ties;
+                continue;
+            }
+            ++(difference > 0. ? errors.tooDeep : errors.tooShort);
+        }
+        squares += difference * difference;
+        squaresTexels += texels * texels;
+        errors.largest = std::max(errors.largest, distance);
+        errors.largestTexels = std::max(errors.largestTexels, texels);
+    }
+    const double count = double(std::max<std::size_t>(errors.rays, 1));
+    errors.rmse = std::sqrt(squares / count);
+    errors.rmseTexels = std::sqrt(squaresTexels / count);
+    countFetches(errors, fetches);
+    return errors;
+}
+
+HitErrors together(std::span<const HitErrors> sets)
+{
+    HitErrors all;
+    for (const HitErrors& set : sets) {
+        const double weight = double(set.rays);
+        all.rays += set.rays, all.invalid += set.invalid, all.ties += set.ties;
+        all.tooDeep += set.tooDeep, all.tooShort += set.tooShort, all.notFound += set.notFound;
+        all.rmse += weight * set.rmse * set.rmse;
+        all.rmseTexels += weight * set.rmseTexels * set.rmseTexels;
+        all.meanFetches += weight * set.meanFetches;
+        all.p99Fetches += weight * set.p99Fetches;
+        all.largest = std::max(all.largest, set.largest);
+        all.largestTexels = std::max(all.largestTexels, set.largestTexels);
+        all.maxFetches = std::max(all.maxFetches, set.maxFetches);
+    }
+    const double weight = double(std::max<std::size_t>(all.rays, 1));
+    all.rmse = std::sqrt(all.rmse / weight), all.rmseTexels = std::sqrt(all.rmseTexels / weight);
+    all.meanFetches /= weight, all.p99Fetches /= weight;
+    return all;
+}
+
+} // namespace relievo

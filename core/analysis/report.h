@@ -1,0 +1,54 @@
+// Speed against error as a document: what was measured, and its forms (HTML, JSON, CSV).
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/analysis/heat_pictures.h"
+#include "core/analysis/sweep.h"
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace relievo {
+
+// One setting's picture of one field, drawn by the GPU at `angle` degrees from the normal.
+struct PictureRow {
+    std::size_t setting, field, angle; // indices
+    double milliseconds, ratio; // of a frame; ratio to the plain textured quad of the same run
+    double psnr, flip; // of the shaded picture against the most exact one; psnr may be infinite
+};
+
+struct HeatRow {
+    std::string label; // the setting
+    std::vector<std::byte> fetches, error; // PNG
+    double meanFetches, meanError;
+};
+
+struct Report {
+    std::string title; // the source's name
+    SweepPlan plan;
+    std::vector<SweepRow> rows;
+
+    // From the GPU; `angles` is empty where there is none.
+    std::vector<double> angles; // degrees
+    std::vector<PictureRow> pictures;
+    std::string renderer; // what drew them
+    std::string exactLabel; // setting of the picture that PSNR and FLIP compare with
+    int pictureWidth = 0, pictureHeight = 0;
+
+    std::string heatField;
+    HeatView heatView;
+    std::vector<HeatRow> heats;
+    Warnings warnings;
+};
+
+// One self-contained file: no script, nothing fetched.
+std::string reportHtml(const Report& report);
+// {"title", "conditions", "settings", "fields", "rays": [...], "pictures": [...], "warnings"}; percentages in percent.
+std::string reportJson(const Report& report);
+// One line a setting, field and view: the rays of a band, or a picture at an angle; what does not apply is left empty.
+std::string reportCsv(const Report& report);
+
+// Three significant digits without an exponent: "0", "0.0312", "28.4", "1240".
+std::string figure(double value);
+
+} // namespace relievo

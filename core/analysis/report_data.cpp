@@ -1,0 +1,151 @@
+// The report as JSON and CSV.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/report.h"
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace relievo {
+
+namespace {
+
+// The figures of rays, once, for JSON and CSV.
+struct Column {
+    const char* key;
+    double (*of)(const SweepRow& row);
+};
+constexpr Column kRayColumns[] = {
+    {"rays", [](const SweepRow& r) { return double(r.errors.rays); }},
+    {"meanFetches", [](const SweepRow& r) { return r.errors.meanFetches; }},
+    {"p99Fetches", [](const SweepRow& r) { return r.errors.p99Fetches; }},
+    {"maxFetches", [](const SweepRow& r) { return double(r.errors.maxFetches); }},
+    {"overshootPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.tooDeep); }},
+    {"shortPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.tooShort); }},
+    {"notFoundPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.notFound); }},
+    {"rmse", [](const SweepRow& r) { return r.errors.rmse; }},
+    {"maxError", [](const SweepRow& r) { return r.errors.largest; }},
+    {"rmseTexels", [](const SweepRow& r) { return r.errors.rmseTexels; }},
+    {"maxErrorTexels", [](const SweepRow& r) { return r.errors.largestTexels; }},
+    {"nan", [](const SweepRow& r) { return double(r.errors.invalid); }},
+    {"ties", [](const SweepRow& r) { return double(r.errors.ties); }},
+    {"bakeSeconds", [](const SweepRow& r) { return r.bakeSeconds; }},
+    {"bytesPerTexel", [](const SweepRow& r) { return r.bytesPerTexel; }},
+};
+struct PictureColumn {
+    const char* key;
+    double PictureRow::*of;
+};
+constexpr PictureColumn kPictureColumns[] = {
+    {"milliseconds", &PictureRow::milliseconds}, {"msRatio", &PictureRow::ratio}, {"psnr", &PictureRow::psnr}, {"flip", &PictureRow::flip}};
+
+std::string number(double value)
+{
+    char buffer[40];
+    return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+}
+
+std::string quoted(const std::string& text)
+{
+    return text.find_first_of(",\"") == text.npos ? text : '"' + text + '"';
+}
+
+nlohmann::ordered_json conditionsJson(const Report& report)
+{
+    nlohmann::ordered_json json{{"version", RELIEVO_VERSION}, {"raysPerBand", report.plan.rays}, {"seed", report.plan.seed},
+        {"wrongAboveDepth", kWrongDepth}, {"wrongAboveTexels", kWrongTexels}, {"tieHeight", kTieHeight}};
+    if (!report.angles.empty())
+        json.update({{"renderer", report.renderer}, {"width", report.pictureWidth}, {"height", report.pictureHeight},
+            {"comparedWith", report.exactLabel}});
+    return json;
+}
+
+// nlohmann writes infinities as null, which is what JSON can say of them.
+nlohmann::ordered_json namesOf(const Report& report, std::size_t setting, std::size_t field)
+{
+    const SearchSetting& s = report.plan.settings[setting];
+    return {{"technique", s.technique->key}, {"setting", s.label}, {"field", report.plan.fields[field].key}};
+}
+
+} // namespace
+
+std::string figure(double value)
+{
+    if (std::isnan(value))
+        return "-";
+    if (std::isinf(value))
+        return value > 0. ? "inf" : "-inf";
+    const double size = std::abs(value);
+    if (size < 5e-7)
+        return "0";
+    const int decimals = std::clamp(2 - int(std::floor(std::log10(size))), 0, 6);
+    char buffer[64];
+    std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr);
+    if (size < 1e-4 && text.find('.') != text.npos) // mostly zeros: no false precision
+        text.erase(text.find_last_not_of('0') + 1);
+    return text;
+}
+
+std::string reportJson(const Report& report)
+{
+    nlohmann::ordered_json json{{"title", report.title}, {"conditions", conditionsJson(report)}};
+    json["settings"] = nlohmann::ordered_json::array();
+    for (const SearchSetting& s : report.plan.settings)
+        json["settings"].push_back({{"technique", s.technique->key}, {"label", s.label}, {"parameters", parametersText(s)}});
+    json["fields"] = nlohmann::ordered_json::array();
+    for (const SweepField& f : report.plan.fields)
+        json["fields"].push_back({{"key", f.key}, {"label", f.label}, {"width", f.heights.width()}, {"height", f.heights.height()},
+            {"depth", double(float(f.depth))}});
+    json["rays"] = nlohmann::ordered_json::array();
+    for (const SweepRow& row : report.rows) {
+        auto line = namesOf(report, row.setting, row.field);
+        line["fromDegrees"] = report.plan.bands[row.band].from;
+        line["toDegrees"] = report.plan.bands[row.band].to;
+        for (const Column& column : kRayColumns)
+            line[column.key] = column.of(row);
+        json["rays"].push_back(std::move(line));
+    }
+    json["pictures"] = nlohmann::ordered_json::array();
+    for (const PictureRow& row : report.pictures) {
+        auto line = namesOf(report, row.setting, row.field);
+        line["degrees"] = report.angles[row.angle];
+        for (const PictureColumn& column : kPictureColumns)
+            line[column.key] = row.*column.of;
+        json["pictures"].push_back(std::move(line));
+    }
+    json["warnings"] = nlohmann::ordered_json::array();
+    for (const Warning& warning : report.warnings)
+        json["warnings"].push_back({{"code", warning.code}, {"text", warning.text}});
+    return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::string reportCsv(const Report& report)
+{
+    std::string text = "technique,setting,field,view";
+    for (const Column& column : kRayColumns)
+        text += std::string(",") + column.key;
+    for (const PictureColumn& column : kPictureColumns)
+        text += std::string(",") + column.key;
+    text += '\n';
+    const auto names = [&](std::size_t setting, std::size_t field) {
+        const SearchSetting& s = report.plan.settings[setting];
+        return std::string(s.technique->key) + ',' + quoted(s.label) + ',' + quoted(report.plan.fields[field].key) + ',';
+    };
+    for (const SweepRow& row : report.rows) {
+        const AngleBand band = report.plan.bands[row.band];
+        text += names(row.setting, row.field) + "rays " + number(band.from) + '-' + number(band.to);
+        for (const Column& column : kRayColumns)
+            text += ',' + number(column.of(row));
+        text += std::string(std::size(kPictureColumns), ',') + '\n';
+    }
+    for (const PictureRow& row : report.pictures) {
+        text += names(row.setting, row.field) + "picture " + number(report.angles[row.angle]);
+        text += std::string(std::size(kRayColumns), ',');
+        for (const PictureColumn& column : kPictureColumns)
+            text += ',' + number(row.*column.of);
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace relievo
