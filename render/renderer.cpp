@@ -49,7 +49,7 @@ struct Renderer::Impl {
     const LinkedProgram* meshProgramFor(const ProgramFeatures& features, std::optional<Error>& error)
     {
         std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
-            + (features.shadows ? "/shadows" : "") + (features.linear ? "/linear" : "");
+            + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
         return programs.get(
@@ -130,6 +130,10 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
             std::string(technique->label) + (view == "error" ? "'s error" : "") + " needs a height map and the material has none",
             "Assign one, or choose flat or bump");
 
+    const std::shared_ptr<const SearchTexture> bound = boundFor(resources, *technique, parameters);
+    if (!technique->bound.empty() && !bound)
+        return failure(state.name, "the map that " + std::string(technique->label) + " searches with is not made yet", "Wait a moment");
+
     const Mesh& mesh = *resources.mesh;
     CameraView camera = cameraView(state.camera, mesh.boundsMin, mesh.boundsMax, float(target.width) / float(std::max(target.height, 1)));
     const glm::vec3 shift(2.f * target.jitter.x / float(target.width), 2.f * target.jitter.y / float(std::max(target.height, 1)), 0.f);
@@ -148,7 +152,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         program.use();
         program.set(parameters);
         program.set(uniforms);
-        m->uploads.bindMaps(program, wrap);
+        m->uploads.bindMaps(program, wrap, technique->bound, bound);
     };
     if (const LinkedProgram* program = m->meshProgramFor(programFeatures(parameters, technique->key, view, maps, target.linear), error)) {
         use(*program);

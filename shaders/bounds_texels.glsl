@@ -1,10 +1,8 @@
 // Bound maps that are read texel by texel.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-vec4 boundScale()
-{
-    return boundScales[searchLevel()];
-}
+#include "bounds_scale.glsl"
+
 ivec2 boundSize()
 {
     return textureSize(heightMap, 0);

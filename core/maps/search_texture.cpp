@@ -4,6 +4,7 @@
 #include "core/maps/search_texture.h"
 #include "core/maps/maps.h"
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -103,6 +104,11 @@ std::vector<HeightField> heightLevels(const HeightField& field)
     while (levels.back().width() > 1 || levels.back().height() > 1)
         levels.push_back(halved(levels.back()));
     return levels;
+}
+
+int levelCount(const HeightField& field)
+{
+    return int(std::bit_width(unsigned(std::max(field.width(), field.height()))));
 }
 
 std::size_t SearchTexture::bytes() const

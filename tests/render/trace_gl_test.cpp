@@ -31,15 +31,18 @@ void expectAgreement(const HeightField& field, const char* name)
         if (row.file.empty())
             continue;
         const auto cpu = traceRays(row.key, Parameters(), &field, rays);
-        const auto gpu = traceRaysOnGpu(row.key, Parameters(), &field, rays);
-        ASSERT_TRUE(cpu && gpu) << row.key;
-        int apart = 0, otherFetches = 0;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            apart += !(std::abs((*cpu)[i].t - (*gpu)[i].t) < 1e-4) || (*cpu)[i].found != (*gpu)[i].found;
-            otherFetches += (*cpu)[i].fetches != (*gpu)[i].fetches;
+        ASSERT_TRUE(cpu) << row.key;
+        for (const Dialect dialect : {Dialect::Desktop, Dialect::Es}) {
+            const auto gpu = traceRaysOnGpu(row.key, Parameters(), &field, rays, dialect);
+            ASSERT_TRUE(gpu) << row.key << ' ' << int(dialect) << ' ' << message(gpu.error());
+            int apart = 0, otherFetches = 0;
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                apart += !(std::abs((*cpu)[i].t - (*gpu)[i].t) < 1e-4) || (*cpu)[i].found != (*gpu)[i].found;
+                otherFetches += (*cpu)[i].fetches != (*gpu)[i].fetches;
+            }
+            EXPECT_LE(apart, 10) << name << ' ' << row.key << ' ' << int(dialect); // 99.9 % agree
+            EXPECT_LE(otherFetches, 100) << name << ' ' << row.key << ' ' << int(dialect);
         }
-        EXPECT_LE(apart, 10) << name << ' ' << row.key; // 99.9 % agree
-        EXPECT_LE(otherFetches, 100) << name << ' ' << row.key;
     }
 }
 
