@@ -12,7 +12,7 @@ namespace relievo {
 
 BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
-    return {{normalFromHeight(field, parameters.depth * parameters.normalStrength, progress)}};
+    return {{normalsOf(field, parameters.depth * parameters.normalStrength, progress)}};
 }
 
 const MapRow* findMap(std::string_view key)
@@ -31,14 +31,6 @@ Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Pa
     } catch (const std::bad_alloc&) {
         return failure(std::string(row.key), "there is not enough memory to bake this map", "Use a smaller height map");
     }
-}
-
-BakedMap storedMap(const MapRow&, const BakedMap& map, int bits)
-{
-    BakedMap out = map;
-    for (Image& level : out.levels)
-        level = withBits(level, bits);
-    return out;
 }
 
 Expected<std::shared_ptr<const BakedMap>> cachedMap(

@@ -6,6 +6,9 @@
 #include "core/image/height_field.h"
 #include "core/image/image.h"
 #include "core/maps/baked_map.h"
+#include "core/maps/cone.h"
+#include "core/maps/distance.h"
+#include "core/maps/pyramid.h"
 #include "core/progress.h"
 #include "core/state/parameters.h"
 #include <array>
@@ -28,9 +31,27 @@ struct MapRow {
 
 BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress);
 
+inline constexpr ChannelRule kRatio{Rounding::Down, Encoding::SquareRoot};
+inline constexpr std::array<ChannelRule, 4> kHeightAndRatio = {ChannelRule{}, kRatio};
+inline constexpr std::array<ChannelRule, 4> kFourRatios = {kRatio, kRatio, kRatio, kRatio};
+
 inline constexpr auto kMaps = std::to_array<MapRow>({
     {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, "depth normalStrength", bakeNormal,
         "Tangent-space normals of the height map at the State's depth, OpenGL style."},
+    {"pyramid", "Maximum pyramid", "height", 1, {ChannelRule{Rounding::Up}}, 16, 1, "", bakePyramid,
+        "Highest point of the surface above each cell between texel centres, then of 2 x 2, up to one texel (Tevs 2008)."},
+    {"cone", "Cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, "", bakeCone,
+        "Height, and the ratio of the widest upward cone with no texel centre above it (Dummer 2006)."},
+    {"cone-quad", "Quad cone map", "tiles per height", 4, kFourRatios, 16, 1, "", bakeConeQuad,
+        "Cone ratios of the four sectors of 90 degrees centred on +u, -u, +v, -v (GPU Gems 3, chapter 18)."},
+    {"cone-relaxed", "Relaxed cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, "", bakeConeRelaxed,
+        "Height, and the ratio of the widest cone in which a ray from above enters the surface but never leaves it (Policarpo and Oliveira "
+        "2007)."},
+    {"cone-robust", "Robust cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, "", bakeConeRobust,
+        "Height, and the smallest of 3 x 3 cone ratios that only texels before a falling edge limit (Ban et al. 2024)."},
+    {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 1, "", bakeDistance,
+        "Distance to the relief at up to 128 x 128 x 32 points of the slab, for sphere tracing (Donnelly 2005); the slices one below the "
+        "other, from the top down."},
 });
 
 const MapRow* findMap(std::string_view key); // nullptr when unknown
@@ -38,7 +59,10 @@ const MapRow* findMap(std::string_view key); // nullptr when unknown
 // The row's map of a field, as floats. Cancelled: error with what == "cancelled". Out of memory: an error that says so.
 Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress = {});
 
-// The map in `bits` a channel (8, 16 or 32 for float), each channel rounded and encoded by the row's rule; `map` holds floats.
+// The map in `bits` a channel (8, 16 or 32 for float), each channel rounded and encoded by the row's rule; `map` holds floats >= 0.
+// Integers: a channel of roots, or one that exceeds 1, is scaled so that its largest value is the highest code. With Rounding::Down
+// the value that a shader decodes in float, (stored / max) [squared] x scale, is the largest that does not exceed the map's, with
+// Rounding::Up the smallest that is not below. 32 bits: the floats themselves, or their roots rounded the same way; scale 1.
 BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits);
 
 // What a technique or a bake command uses: the row's map stored in row.bits, from the cache or baked now.

@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/maps/normal.h"
+#include "core/maps/float_image.h"
+#include "core/maps/maps.h"
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <tbb/parallel_for.h>
@@ -30,24 +31,27 @@ std::vector<glm::vec2> slopesOf(const HeightField& field)
     return slopes;
 }
 
-Image normalFromHeight(const HeightField& field, float depthInTiles, const Progress& progress)
+Image normalsOf(const HeightField& field, float depthInTiles, const Progress& progress)
 {
     const int width = field.width(), height = field.height();
-    Image image{width, height, 3, PixelType::U16, 16, false, {}};
-    image.data.resize(image.texelCount() * 6);
+    Image image = floatImage(width, height, 3);
     std::atomic<int> done = 0;
     tbb::parallel_for(0, height, [&](int y) {
+        float* out = floats(image).data() + std::size_t(y) * std::size_t(width) * 3;
         for (int x = 0; x < width; ++x) {
             const glm::vec2 slope = progress.cancelled() ? glm::vec2(0.f) : depthInTiles * slopeAt(field, x, y);
             const glm::vec3 n = glm::normalize(glm::vec3(-slope.x, slope.y, 1.f)); // up in the image is -v
-            std::uint16_t stored[3];
             for (int c = 0; c < 3; ++c)
-                stored[c] = std::uint16_t(std::lround((n[c] * 0.5f + 0.5f) * 65535.f));
-            std::memcpy(image.data.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 6, stored, 6);
+                *out++ = n[c] * 0.5f + 0.5f;
         }
         progress.at(float(++done) / float(height));
     });
     return image;
+}
+
+Image normalFromHeight(const HeightField& field, float depthInTiles, const Progress& progress)
+{
+    return withBits(normalsOf(field, depthInTiles, progress), 16);
 }
 
 } // namespace relievo

@@ -19,5 +19,7 @@ std::vector<glm::vec2> slopesOf(const HeightField& field);
 // square whatever its size in texels.
 // Stops early when cancelled (the rest is flat).
 Image normalFromHeight(const HeightField& field, float depthInTiles, const Progress& progress = {});
+// The same as F32.
+Image normalsOf(const HeightField& field, float depthInTiles, const Progress& progress = {});
 
 } // namespace relievo
