@@ -346,5 +346,9 @@ TEST(Report, AxesHoldEveryPoint)
     EXPECT_GE(axes.yTo, 0.4);
     EXPECT_EQ(axes.yFrom, 1e-4);
     EXPECT_NE(plotSvg("title", axes, plots[0]).find("<title>b</title>"), std::string::npos);
+    EXPECT_FALSE(axes.large);
+    const std::vector<PlotCurve> many(9, plots[0][0]), empty(9, PlotCurve{0, false, {}});
+    EXPECT_TRUE(axesFor({many}, 0.1, "", "").large);
+    EXPECT_FALSE(axesFor({empty}, 0.1, "", "").large); // curves without points are not drawn
     EXPECT_GT(axesFor({}, 0.1, "", "").xTo, axesFor({}, 0.1, "", "").xFrom); // nothing to show is no fault
 }

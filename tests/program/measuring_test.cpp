@@ -53,6 +53,11 @@ TEST(Measuring, ReportOnTheHardCases)
     EXPECT_EQ(report["fields"][0]["key"], "needles");
     EXPECT_EQ(report["rays"].size(), 20u * 6u * 4u);
     EXPECT_TRUE(report["pictures"].empty());
+    const ProgramRun pictured
+        = runRelievo("report --hard-cases --size 16 --rays 20 --fast --techniques parallax --json --quiet -o " + (folder / "r.html"));
+    ASSERT_EQ(pictured.exitCode, 0) << pictured.err;
+    EXPECT_EQ(json::parse(pictured.out)["pictures"], 4 * 4 * 2); // four fields, four angles, with and without limiting
+    EXPECT_NE(relievo::readText(folder / "r.html")->find("Means over Needles, Terraces, Rough bricks, Smooth waves."), std::string::npos);
 }
 
 TEST(Measuring, EqualSeedsGiveEqualReports)
