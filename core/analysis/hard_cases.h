@@ -16,6 +16,7 @@ struct HardCaseRow {
     std::string_view label;
     // size: texels along the longer side, >= 1. Heights are floats in [0, 1] and tile. Equal size and seed give equal fields.
     HeightField (*make)(int size, std::uint32_t seed);
+    bool pictured; // stands for the others where pictures of all would take too long
     std::string_view help; // what is hard about it
 };
 

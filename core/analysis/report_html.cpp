@@ -5,6 +5,7 @@
 #include "core/analysis/report_plot.h"
 #include "core/trace/shader_on_cpu.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <span>
@@ -41,9 +42,9 @@ p{margin:4px 0 12px;max-width:860px;color:var(--soft)}p.lead{font-size:15px}
 ul.legend{list-style:none;display:flex;flex-wrap:wrap;gap:4px 20px;padding:8px 12px;margin:8px 0 12px;background:var(--plate);border-radius:4px}
 ul.legend li{display:flex;align-items:center;gap:7px}svg.key{width:28px;height:12px}
 .plots{display:grid;max-width:1288px;grid-template-columns:repeat(auto-fit,minmax(290px,1fr));gap:16px 24px;margin:8px 0 16px}
-@media (min-width:1100px){.plots.four{grid-template-columns:repeat(4,1fr)}.plots.two{grid-template-columns:repeat(2,310px)}.plots.one{grid-template-columns:310px}.plots.three{grid-template-columns:repeat(3,310px)}}
+@media (min-width:1100px){.plots.four{grid-template-columns:repeat(4,1fr)}.plots.large{grid-template-columns:repeat(2,1fr)}.plots.two{grid-template-columns:repeat(2,310px)}.plots.one{grid-template-columns:310px}.plots.three{grid-template-columns:repeat(3,310px)}}
 svg.plot{width:100%;max-width:420px;height:auto;font:11px system-ui,"Noto Sans",sans-serif;fill:var(--soft);font-variant-numeric:tabular-nums}
-svg.plot .title{font-size:13px;font-weight:600;fill:var(--ink)}svg .grid{stroke:var(--line);stroke-width:1}
+.large svg.plot{max-width:640px}svg.plot .title{font-size:13px;font-weight:600;fill:var(--ink)}svg .grid{stroke:var(--line);stroke-width:1}
 svg polyline{fill:none;stroke:var(--c);stroke-width:1.6;stroke-linejoin:round}svg .dashed polyline{stroke-dasharray:4 3}
 svg circle,svg rect,svg path{fill:var(--c);stroke:var(--paper);stroke-width:.8}
 .scroll{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;white-space:nowrap;margin:4px 0 12px}
@@ -127,13 +128,10 @@ private:
 
 std::string plotRow(const std::vector<std::string>& titles, const std::vector<std::vector<PlotCurve>>& plots, const PlotAxes& axes)
 {
-    std::string html = std::string("<div class='plots")
-        + (titles.size() % 4 == 0    ? " four"
-                : titles.size() > 3  ? ""
-                : titles.size() == 3 ? " three"
-                : titles.size() == 2 ? " two"
-                                     : " one")
-        + "'>\n";
+    constexpr std::array<const char*, 5> kColumns = {"", " one", " two", " three", " four"};
+    const std::size_t count = titles.size();
+    const char* const columns = axes.large ? " large" : count % 4 == 0 ? kColumns[4] : count < 4 ? kColumns[count] : "";
+    std::string html = std::string("<div class='plots") + columns + "'>\n";
     for (std::size_t i = 0; i < plots.size(); ++i)
         html += plotSvg(titles[i], axes, plots[i]);
     return html + "</div>\n";
@@ -265,6 +263,17 @@ private:
         return mean;
     }
 
+    // Which fields are pictured, where not all are.
+    std::string picturedText() const
+    {
+        std::string names;
+        std::size_t count = 0;
+        for (std::size_t field = 0; field < m_plan.fields.size(); ++field)
+            if (std::ranges::count(m_report.pictures, field, &PictureRow::field) > 0)
+                names += (count++ ? ", " : "") + m_plan.fields[field].label;
+        return count < m_plan.fields.size() ? "Means over " + escaped(names) + ". " : "";
+    }
+
     std::string pictureSection() const
     {
         if (m_report.angles.empty())
@@ -277,8 +286,8 @@ private:
                 m_report, [&](std::size_t s) { return pictureMean(s, angle).ratio; },
                 [&](std::size_t s) { return pictureMean(s, angle).flip; }));
         }
-        std::string html = "<h2>Pictures</h2><p>A plane that fills " + std::to_string(m_report.pictureWidth) + " \u00d7 "
-            + std::to_string(m_report.pictureHeight) + " pixels, seen at these angles from its normal, drawn by "
+        std::string html = "<h2>Pictures</h2><p>" + picturedText() + "A plane that fills " + std::to_string(m_report.pictureWidth)
+            + " \u00d7 " + std::to_string(m_report.pictureHeight) + " pixels, seen at these angles from its normal, drawn by "
             + escaped(m_report.renderer)
             + ". Time: the search with one colour lookup, as a multiple of the same plane as a plain textured quad; frames interleaved, "
               "median. "

@@ -17,7 +17,7 @@ constexpr std::array<std::array<const char*, 2>, 7> kColors = {{{"#0072b2", "#4a
     {"#b0588c", "#e39ac4"}, {"#b37a00", "#e6b422"}, {"#444444", "#d0d0d0"}, {"#2f9fd8", "#8fd0f5"}}};
 constexpr std::size_t kMarkers = 5;
 
-constexpr double kWidth = 310, kHeight = 262, kLeft = 54, kRight = 10, kTop = 26, kBottom = 42;
+constexpr double kLeft = 54, kRight = 18, kTop = 26, kBottom = 42;
 constexpr double kZeroLine = 16; // room for the line marked 0 below the floor
 
 std::string text(double value)
@@ -60,18 +60,21 @@ double roundedOut(double value, bool up)
 
 struct Scale {
     PlotAxes axes;
+    double width() const { return axes.large ? 632 : 310; }
+    double height() const { return axes.large ? 400 : 262; }
+    double right() const { return width() - kRight; }
+    double bottom() const { return height() - kBottom; }
     double x(double value) const
     {
         const double share = std::log(std::clamp(value, axes.xFrom, axes.xTo) / axes.xFrom) / std::log(axes.xTo / axes.xFrom);
-        return kLeft + share * (kWidth - kLeft - kRight);
+        return kLeft + share * (right() - kLeft);
     }
     double y(double value) const
     {
-        const double bottom = kHeight - kBottom;
         if (!(value > axes.yFrom))
-            return bottom;
+            return bottom();
         const double share = std::log(std::min(value, axes.yTo) / axes.yFrom) / std::log(axes.yTo / axes.yFrom);
-        return bottom - kZeroLine - share * (bottom - kZeroLine - kTop);
+        return bottom() - kZeroLine - share * (bottom() - kZeroLine - kTop);
     }
 };
 
@@ -90,7 +93,7 @@ std::vector<double> ticks(double from, double to)
 std::string tickText(double value)
 {
     char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.3g", value);
+    std::snprintf(buffer, sizeof buffer, "%g", value);
     return value < 1e-4
         ? "10" + std::string("<tspan dy='-4' font-size='8'>") + std::to_string(int(std::lround(std::log10(value)))) + "</tspan>"
         : buffer;
@@ -99,11 +102,11 @@ std::string tickText(double value)
 std::string gridOf(const Scale& scale)
 {
     std::string svg;
-    const std::string bottom = text(kHeight - kBottom), right = text(kWidth - kRight);
+    const std::string bottom = text(scale.bottom()), right = text(scale.right());
     for (const double v : ticks(scale.axes.xFrom, scale.axes.xTo)) {
         const std::string x = text(scale.x(v));
         svg += "<line class='grid' x1='" + x + "' x2='" + x + "' y1='" + text(kTop) + "' y2='" + bottom + "'/><text x='" + x + "' y='"
-            + text(kHeight - kBottom + 15) + "' text-anchor='middle'>" + tickText(v) + "</text>";
+            + text(scale.bottom() + 15) + "' text-anchor='middle'>" + tickText(v) + "</text>";
     }
     const auto row = [&](double at, const std::string& label) {
         const std::string y = text(at);
@@ -111,9 +114,9 @@ std::string gridOf(const Scale& scale)
             + "' y='" + text(at + 3.6) + "' text-anchor='end'>" + label + "</text>";
     };
     for (const double v : ticks(scale.axes.yFrom, scale.axes.yTo))
-        if (scale.y(v) < kHeight - kBottom - kZeroLine + 0.5 && v > scale.axes.yFrom * 1.001)
+        if (scale.y(v) < scale.bottom() - kZeroLine + 0.5 && v > scale.axes.yFrom * 1.001)
             row(scale.y(v), tickText(v));
-    row(kHeight - kBottom, "0");
+    row(scale.bottom(), "0");
     return svg;
 }
 
@@ -122,6 +125,10 @@ std::string gridOf(const Scale& scale)
 PlotAxes axesFor(const std::vector<std::vector<PlotCurve>>& plots, double floor, std::string xLabel, std::string yLabel)
 {
     double least = 1e300, most = 0., high = 10. * floor;
+    std::ptrdiff_t drawn = 0;
+    for (const auto& curves : plots)
+        drawn = std::max(drawn, std::ranges::count_if(curves, [](const PlotCurve& curve) { return !curve.points.empty(); }));
+    const bool large = drawn > 8;
     for (const auto& curves : plots)
         for (const PlotCurve& curve : curves)
             for (const PlotPoint& point : curve.points) {
@@ -131,16 +138,16 @@ PlotAxes axesFor(const std::vector<std::vector<PlotCurve>>& plots, double floor,
     if (!(least > 0.) || most <= 0.)
         least = most = 1.;
     return {roundedOut(least * 0.8, false), roundedOut(std::max(most, least * 2.) * 1.1, true), floor, roundedOut(high * 1.05, true),
-        std::move(xLabel), std::move(yLabel)};
+        std::move(xLabel), std::move(yLabel), large};
 }
 
 std::string plotSvg(const std::string& title, const PlotAxes& axes, const std::vector<PlotCurve>& curves)
 {
     const Scale scale{axes};
-    std::string svg = "<svg class='plot' viewBox='0 0 " + text(kWidth) + ' ' + text(kHeight) + "' role='img' aria-label='" + escaped(title)
-        + "'><text class='title' x='" + text(kLeft) + "' y='14'>" + escaped(title) + "</text>" + gridOf(scale);
-    svg += "<text x='" + text(0.5 * (kLeft + kWidth - kRight)) + "' y='" + text(kHeight - 10) + "' text-anchor='middle'>"
-        + escaped(axes.xLabel) + "</text><text transform='translate(12 " + text(0.5 * (kTop + kHeight - kBottom))
+    std::string svg = "<svg class='plot' viewBox='0 0 " + text(scale.width()) + ' ' + text(scale.height()) + "' role='img' aria-label='"
+        + escaped(title) + "'><text class='title' x='" + text(kLeft) + "' y='14'>" + escaped(title) + "</text>" + gridOf(scale);
+    svg += "<text x='" + text(0.5 * (kLeft + scale.right())) + "' y='" + text(scale.height() - 10) + "' text-anchor='middle'>"
+        + escaped(axes.xLabel) + "</text><text transform='translate(12 " + text(0.5 * (kTop + scale.bottom()))
         + ") rotate(-90)' text-anchor='middle'>" + escaped(axes.yLabel) + "</text>";
     for (const PlotCurve& curve : curves) {
         svg += "<g class='" + styleClass(curve.style, curve.dashed) + "'>";

@@ -20,6 +20,7 @@ struct PlotCurve {
 struct PlotAxes {
     double xFrom, xTo, yFrom, yTo; // > 0; yFrom is the floor
     std::string xLabel, yLabel;
+    bool large = false; // for more curves than a small plot can tell apart
 };
 // Axes that hold every point of these plots, rounded outwards to 1, 2 or 5 times a power of ten.
 PlotAxes axesFor(const std::vector<std::vector<PlotCurve>>& plots, double floor, std::string xLabel, std::string yLabel);

@@ -47,7 +47,7 @@ std::vector<HitLine> hitsOf(const std::string& file)
 TEST(Cli, VersionAndHelp)
 {
     EXPECT_EQ(runRelievo("--version").out.rfind("relievo ", 0), 0u);
-    for (const char* command : {"", "render", "trace", "bake", "export", "describe", "info"}) {
+    for (const char* command : {"", "render", "trace", "bake", "export", "describe", "info", "report", "tune", "compare"}) {
         const ProgramRun run = runRelievo(std::string(command) + " --help");
         EXPECT_EQ(run.exitCode, 0) << command;
         EXPECT_NE(run.out.find("Usage"), std::string::npos) << command;

@@ -1,0 +1,122 @@
+// Pictures made for measuring: they are filled, and what is measured on them is right.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/settings.h"
+#include "render/frame_time.h"
+#include "render/picture_errors.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace relievo;
+
+namespace {
+
+struct Bench {
+    Expected<WindowlessContext> context = WindowlessContext::create();
+    Renderer renderer;
+    State state;
+    Resources resources;
+    explicit Bench(const char* source)
+    {
+        state = openSource(source, State())->state;
+        resources = *loadResources(state, {}, {});
+    }
+    State with(const char* technique, double angle)
+    {
+        State view = fillingView(state, angle);
+        view.panes = {Pane{technique, {}}};
+        return view;
+    }
+};
+
+} // namespace
+
+TEST(FillingView, FillsThePictureAtEveryAngle)
+{
+    Bench bench("hard:bricks@64");
+    for (const double angle : kPictureAngles) {
+        const State view = bench.with("flat", angle);
+        const auto errors = pictureErrors(bench.renderer, view, bench.resources, 80, 60);
+        ASSERT_TRUE(errors) << message(errors.error());
+        EXPECT_EQ(errors->covered, 1.) << angle;
+    }
+}
+
+// Straight from above a tile spans what is promised: the picture of a ramp over the tile shows that share of its heights.
+TEST(FillingView, ShowsAboutOneTile)
+{
+    Bench bench("hard:seam@64");
+    State view = bench.with("flat", 0.);
+    view.parameters.offsetU = 0.5f; // the seam out of the middle
+    const auto depth = drawPicture(bench.renderer, view, 0, bench.resources, "error", 320, 240, 1, true);
+    ASSERT_TRUE(depth);
+    const double across = std::abs(double(depth->value(319, 120, 0)) - double(depth->value(0, 120, 0)));
+    EXPECT_NEAR(across, kTilesAcross, 0.02);
+}
+
+TEST(PictureErrors, OfAConstantFieldAreKnown)
+{
+    Bench bench("hard:low@8"); // the exact depth is 1 everywhere
+    const auto flat = pictureErrors(bench.renderer, bench.with("flat", 30.), bench.resources, 40, 30);
+    ASSERT_TRUE(flat);
+    EXPECT_NEAR(flat->rmse, 1., 1e-3);
+    EXPECT_EQ(flat->missed, 0.); // too short is not missed
+    EXPECT_EQ(flat->meanFetches, 0.);
+    for (const char* technique : {"parallax", "relief"}) {
+        const auto errors = pictureErrors(bench.renderer, bench.with(technique, 60.), bench.resources, 40, 30);
+        ASSERT_TRUE(errors);
+        EXPECT_NEAR(errors->rmse, 0., 1e-3) << technique;
+        EXPECT_GE(errors->meanFetches, 1.);
+    }
+}
+
+TEST(PictureErrors, FewerStepsMissMore)
+{
+    Bench bench("hard:needles@64");
+    const auto errorsOf = [&](int steps) {
+        State view = bench.with("relief", 75.);
+        view.parameters.minSteps = view.parameters.maxSteps = steps;
+        view.parameters.refineSteps = 8;
+        return *pictureErrors(bench.renderer, view, bench.resources, 120, 90);
+    };
+    const PictureErrors few = errorsOf(4), many = errorsOf(512);
+    EXPECT_GT(few.missed, many.missed + 0.005);
+    EXPECT_GT(few.rmse, many.rmse);
+    EXPECT_LT(many.missed, 0.02);
+    EXPECT_GT(many.meanFetches, few.meanFetches);
+}
+
+TEST(PictureErrors, ExactTechniquesHaveNone)
+{
+    Bench bench("hard:bricks@64");
+    for (const TechniqueRow& row : kTechniques) {
+        if (!row.isExact || row.file.empty())
+            continue;
+        const State view = bench.with(std::string(row.key).c_str(), 60.);
+        EXPECT_LT(pictureErrors(bench.renderer, view, bench.resources, 120, 90)->missed, 1e-3) << row.key;
+    }
+}
+
+TEST(PictureErrors, NeedsAHeightMap)
+{
+    Bench bench("hard:low@8");
+    Resources empty = bench.resources;
+    empty.material = std::make_shared<const Material>();
+    EXPECT_FALSE(pictureErrors(bench.renderer, bench.with("flat", 30.), empty, 8, 8));
+}
+
+TEST(FrameTimes, OnePositiveTimeAFrame)
+{
+    Bench bench("hard:bricks@64");
+    const State view = bench.with("relief", 60.);
+    const TimedFrame frames[] = {plainQuad(view), {view, "color"}};
+    const auto times = frameTimes(bench.renderer, bench.resources, frames, 64, 48, 3);
+    ASSERT_TRUE(times);
+    ASSERT_EQ(times->size(), 2u);
+    EXPECT_GT(times->front(), 0.);
+    EXPECT_GT(times->back(), 0.);
+    EXPECT_EQ(frames[0].state.panes.front().technique, "flat");
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(frameTimes(bench.renderer, bench.resources, frames, 64, 48, 3, {{}, stop.get_token()}));
+}
