@@ -134,15 +134,9 @@ Expected<void> loadBounds(const State& state, Resources& resources, const Progre
         const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
         if (!technique || technique->bound.empty() || !resources.material->height)
             continue;
-        const Parameters parameters = effectiveParameters(state, pane);
+        if (const auto made = makeBound(resources, *technique, effectiveParameters(state, pane), progress); !made)
+            return made;
         const std::string key(technique->bound);
-        if (!boundFor(resources, *technique, parameters)) {
-            const HeightField field = resources.material->height->withWrap(wrapOf(parameters));
-            auto texture = searchTexture(key, field, parameters, parameters.heightMips, progress);
-            if (!texture)
-                return tl::unexpected(texture.error());
-            resources.bounds[key] = {std::move(*texture), field.identity(), field.wrap(), parameters.heightMips};
-        }
         bounds[key] = resources.bounds[key];
     }
     resources.bounds = std::move(bounds);
@@ -160,6 +154,18 @@ std::shared_ptr<const SearchTexture> boundFor(const Resources& resources, const 
     const bool fits = bound.heights == resources.material->height->identity() && bound.wrap == wrapOf(parameters)
         && (bound.allLevels || !parameters.heightMips);
     return fits ? bound.texture : nullptr;
+}
+
+Expected<void> makeBound(Resources& resources, const TechniqueRow& technique, const Parameters& parameters, const Progress& progress)
+{
+    if (technique.bound.empty() || !resources.material->height || boundFor(resources, technique, parameters))
+        return {};
+    const HeightField field = resources.material->height->withWrap(wrapOf(parameters));
+    auto texture = searchTexture(technique.bound, field, parameters, parameters.heightMips, progress);
+    if (!texture)
+        return tl::unexpected(texture.error());
+    resources.bounds[std::string(technique.bound)] = {std::move(*texture), field.identity(), field.wrap(), parameters.heightMips};
+    return {};
 }
 
 bool boundsFit(const State& state, const Resources& resources)

@@ -49,6 +49,8 @@ bool isBuiltInSource(std::string_view source);
 // The bound map of `technique`, when it fits the height map and the parameters; else nullptr: such a map is made anew, never used.
 // Techniques without one: nullptr too.
 std::shared_ptr<const SearchTexture> boundFor(const Resources& resources, const TechniqueRow& technique, const Parameters& parameters);
+// Makes it and adds it to resources.bounds, when it is wanted and not there.
+Expected<void> makeBound(Resources& resources, const TechniqueRow& technique, const Parameters& parameters, const Progress& progress = {});
 // Whether the bound maps of all panes are there.
 bool boundsFit(const State& state, const Resources& resources);
 

@@ -41,6 +41,7 @@ std::set<MapKind> presentMaps(const Material& material)
 
 struct Renderer::Impl {
     Uploads uploads;
+    std::map<std::string, Resources::Bound, std::less<>> bounds; // made here
     ProgramCache programs;
     VertexArray noVertices;
     Framebuffer measuring;
@@ -130,7 +131,18 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
             std::string(technique->label) + (view == "error" ? "'s error" : "") + " needs a height map and the material has none",
             "Assign one, or choose flat or bump");
 
-    const std::shared_ptr<const SearchTexture> bound = boundFor(resources, *technique, parameters);
+    Resources used = resources;
+    std::erase_if(m->bounds,
+        [&](const auto& made) { return !resources.material->height || made.second.heights != resources.material->height->identity(); });
+    used.bounds.insert(m->bounds.begin(), m->bounds.end());
+    if (target.mayBake) {
+        if (const auto made = m->bounds.find(technique->bound); made != m->bounds.end() && !boundFor(used, *technique, parameters))
+            used.bounds.insert_or_assign(made->first, made->second);
+        if (const auto made = makeBound(used, *technique, parameters); !made)
+            return made;
+        m->bounds = used.bounds;
+    }
+    const std::shared_ptr<const SearchTexture> bound = boundFor(used, *technique, parameters);
     if (!technique->bound.empty() && !bound)
         return failure(state.name, "the map that " + std::string(technique->label) + " searches with is not made yet", "Wait a moment");
 
@@ -145,7 +157,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     if (const auto fits = fitTheDriver(*resources.material); !fits)
         return fits;
     m->programs.reload();
-    m->uploads.hold(resources);
+    m->uploads.hold(used);
     std::optional<Error> error;
     const Wrap wrap = parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat;
     const auto use = [&](const LinkedProgram& program) {

@@ -6,8 +6,8 @@ ivec2 wrappedTexel(ivec2 texel, ivec2 size)
 {
     if (wrap == 1)
         return clamp(texel, ivec2(0), size - 1);
-    ivec2 rest = texel % size;
-    return ivec2(rest.x < 0 ? rest.x + size.x : rest.x, rest.y < 0 ? rest.y + size.y : rest.y);
+    // Not by %, which is undefined for negative numbers; the clamp covers the division's rounding.
+    return clamp(texel - size * ivec2(floor((vec2(texel) + 0.5f) / vec2(size))), ivec2(0), size - 1);
 }
 
 vec4 cornersOf(ivec2 cell, ivec2 size, int level)

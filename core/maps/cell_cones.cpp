@@ -17,7 +17,7 @@ namespace relievo {
 namespace {
 
 // A bound within this share of the steepest rise found is taken as it is and not opened: the result is at most 1/kKeep too steep.
-constexpr float kKeep = 0.93f;
+constexpr float kKeep = 0.88f;
 constexpr float kMargin = 1.f + 2e-6f; // covers the float arithmetic of one ratio
 
 struct Rect {

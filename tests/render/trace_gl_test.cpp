@@ -63,7 +63,7 @@ TEST(TraceGl, AgreesWithTheCpu)
     expectAgreement(HeightField(61, 37, noise, Wrap::Clamp, 32), "noise clamped");
     expectAgreement(HeightField(64, 64, smooth, Wrap::Repeat, 32), "smooth");
     expectAgreement(HeightField(64, 64, stored16, Wrap::Repeat, 16), "16 bit");
-    expectAgreement(HeightField(1, 37, std::vector<float>(37, 0.5f), Wrap::Repeat, 8), "1 x N");
+    expectAgreement(HeightField(1, 37, std::vector<float>(37, 127.f / 255.f), Wrap::Repeat, 8), "1 x N");
 }
 
 TEST(TraceGl, RaysThatAreNotFiniteAreAnsweredAlike)
