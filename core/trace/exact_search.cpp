@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFinest = 2; // shift of the finest grid
 constexpr int kStep = 2; // from grid to grid
-constexpr int kNodesAtFirst = 8; // that a ray of average direction crosses at most on the grid where it begins
+constexpr int kNodesAtFirst = 32; // a ray begins on the finest grid on which it crosses at most about so many nodes
 constexpr double kFarthest = double(1 << 29); // texels; cell indices are ints
 
 // One axis of the search, in texels; texel centres at whole numbers. The crossing of a wall is computed as exactHit computes it and grows
