@@ -7,7 +7,9 @@
 #include "core/image/image.h"
 #include "core/maps/baked_map.h"
 #include "core/maps/cone.h"
+#include "core/maps/curvature.h"
 #include "core/maps/distance.h"
+#include "core/maps/horizon.h"
 #include "core/maps/pyramid.h"
 #include "core/progress.h"
 #include "core/state/parameters.h"
@@ -38,6 +40,16 @@ inline constexpr std::array<ChannelRule, 4> kFourRatios = {kRatio, kRatio, kRati
 inline constexpr auto kMaps = std::to_array<MapRow>({
     {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, "depth normalStrength", bakeNormal,
         "Tangent-space normals of the height map at the State's depth, OpenGL style."},
+    {"ao", "Ambient occlusion", "share of the sky", 1, {}, 16, 1, "depth", bakeAo,
+        "Cosine-weighted share of the sky that the relief leaves open at the State's depth; 1 is open."},
+    {"horizon", "Horizons, 8 azimuths", "sine of the elevation", 4, {}, 8, 1, "depth", bakeHorizon8,
+        "How high the relief stands around each texel at the State's depth, in 8 directions from +u towards +v: four in the channels of "
+        "the "
+        "upper image, four in the one below it."},
+    {"horizon-16", "Horizons, 16 azimuths", "sine of the elevation", 4, {}, 8, 1, "depth", bakeHorizon16,
+        "As horizon, in 16 directions: four images one below the other."},
+    {"curvature", "Curvature", "1/2 + H / (2 |H| + 32), H in 1/tile", 1, {}, 16, 1, "depth", bakeCurvature,
+        "Mean curvature H of the relief at the State's depth: 0.5 is flat, brighter bulges out."},
     {"pyramid", "Maximum pyramid", "height", 1, {ChannelRule{Rounding::Up}}, 16, 1, "", bakePyramid,
         "Highest point of the surface above each cell between texel centres, then of 2 x 2, up to one texel (Tevs 2008)."},
     {"cone", "Cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, "", bakeCone,
