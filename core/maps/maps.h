@@ -9,6 +9,7 @@
 #include "core/maps/cone.h"
 #include "core/maps/curvature.h"
 #include "core/maps/distance.h"
+#include "core/maps/height_from_normal.h"
 #include "core/maps/horizon.h"
 #include "core/maps/pyramid.h"
 #include "core/progress.h"
@@ -29,6 +30,8 @@ struct MapRow {
     std::string_view parameters; // rows of kParameters that the result depends on, separated by spaces
     BakedMap (*bake)(const HeightField& field, const Parameters& parameters, const Progress& progress); // F32 values, scale 1
     std::string_view help;
+    // Of a map that is made from a normal map instead (then `bake` is null); also tells the depth that the heights stand for, in tiles.
+    BakedMap (*bakeFromNormals)(const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress) = nullptr;
 };
 
 BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress);
@@ -40,6 +43,9 @@ inline constexpr std::array<ChannelRule, 4> kFourRatios = {kRatio, kRatio, kRati
 inline constexpr auto kMaps = std::to_array<MapRow>({
     {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, "depth normalStrength", bakeNormal,
         "Tangent-space normals of the height map at the State's depth, OpenGL style."},
+    {"height-from-normal", "Height from normals", "height", 1, {}, 16, 1, "", nullptr,
+        "The height map whose slopes are nearest to the normal map's, for sets without one; also tells the depth that it needs.",
+        bakeHeightFromNormals},
     {"ao", "Ambient occlusion", "share of the sky", 1, {}, 16, 1, "depth", bakeAo,
         "Cosine-weighted share of the sky that the relief leaves open at the State's depth; 1 is open."},
     {"horizon", "Horizons, 8 azimuths", "sine of the elevation", 4, {}, 8, 1, "depth", bakeHorizon8,
@@ -68,8 +74,13 @@ inline constexpr auto kMaps = std::to_array<MapRow>({
 
 const MapRow* findMap(std::string_view key); // nullptr when unknown
 
-// The row's map of a field, as floats. Cancelled: error with what == "cancelled". Out of memory: an error that says so.
+// The row's map of a field, as floats. Cancelled: error with what == "cancelled". Out of memory: an error that says so; a row that is
+// made from normals: an error.
 Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress = {});
+
+// The same for a row that is made from a normal map (3 channels, OpenGL style); others are an error.
+Expected<BakedMap> bakeMapFromNormals(
+    const MapRow& row, const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress = {});
 
 // The map in `bits` a channel (8, 16 or 32 for float), each channel rounded and encoded by the row's rule; `map` holds floats >= 0.
 // Integers: a channel of roots, or one that exceeds 1, is scaled so that its largest value is the highest code. With Rounding::Down
