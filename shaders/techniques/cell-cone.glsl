@@ -29,33 +29,43 @@ Hit trace(Ray ray)
     float lowest = 1.0f - ray.end;
     Walk walk = walkFrom(ray, slope, size, max(1.0f - scale.w, 0.0f));
     int fetches = 0;
-    for (int i = 0; i < 65536 && walk.z > lowest; ++i) {
-        ivec2 key = ivec2(clamp(walk.cell, vec2(0.0f), size - 1.0f));
-        uvec4 codes = cellCodes(key);
-        ++fetches;
-        vec4 above = vec4(walk.z - scale.x) - vec4(codes >> 8u) * capUnit;
-        vec4 steep = vec4(codes & 255u);
-        vec4 cone = above / (1.0f + steep * steep * steepUnit);
-        vec4 wallX = min(vec4(ivec4(key.x) & ivec4(-1, -4, -16, -64)) + spanX, vec4(size.x));
-        vec4 wallY = min(vec4(ivec4(key.y) & ivec4(-1, -4, -16, -64)) + spanY, vec4(size.y));
-        vec4 leaveX = (wallX - walk.cell.x - walk.p.x) * inverse.x + vec4(equal(wallX, vec4(border.x))) * beyond;
-        vec4 leaveY = (wallY - walk.cell.y - walk.p.y) * inverse.y + vec4(equal(wallY, vec4(border.y))) * beyond;
-        vec4 leap = max(min(min(leaveX, leaveY), above), cone);
-        float best = max(max(max(leap.x, leap.y), max(leap.z, leap.w)), 0.0f);
-
-        vec2 toWall = (ahead - walk.p) * inverse;
-        float leave = max(min(toWall.x, toWall.y), 0.0f);
-        if (best < leave) { // stays in its cell: may touch it
+    int i = 0;
+    while (i < 65536 && walk.z > lowest) {
+        float best = 0.0f;
+        float leave = 0.0f;
+        // Leaps, until the ray stays in its cell and may touch it. Apart from the solving below, because machines that run many rays
+        // in step pay for both.
+        while (i < 65536 && walk.z > lowest) {
+            ivec2 key = ivec2(clamp(walk.cell, vec2(0.0f), size - 1.0f));
+            uvec4 codes = cellCodes(key);
             ++fetches;
-            float z = walk.z - best;
-            float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, z, min(leave - best, max(z, 0.0f)));
-            if (s <= 1.0f) {
-                float t = min(1.0f - z + s, 1.0f);
-                return Hit(ray.uv + ray.duv * t, t, true, fetches);
-            }
-            best = leave;
+            vec4 above = vec4(walk.z - scale.x) - vec4(codes >> 8u) * capUnit;
+            vec4 steep = vec4(codes & 255u);
+            vec4 cone = above / (1.0f + steep * steep * steepUnit);
+            vec4 wallX = min(vec4(ivec4(key.x) & ivec4(-1, -4, -16, -64)) + spanX, vec4(size.x));
+            vec4 wallY = min(vec4(ivec4(key.y) & ivec4(-1, -4, -16, -64)) + spanY, vec4(size.y));
+            vec4 leaveX = (wallX - walk.cell.x - walk.p.x) * inverse.x + vec4(equal(wallX, vec4(border.x))) * beyond;
+            vec4 leaveY = (wallY - walk.cell.y - walk.p.y) * inverse.y + vec4(equal(wallY, vec4(border.y))) * beyond;
+            vec4 leap = max(min(min(leaveX, leaveY), above), cone);
+            best = max(max(max(leap.x, leap.y), max(leap.z, leap.w)), 0.0f);
+
+            vec2 toWall = (ahead - walk.p) * inverse;
+            leave = max(min(toWall.x, toWall.y), 0.0f);
+            ++i;
+            if (best < leave)
+                break;
+            walk = moved(walk, slope, size, best * (1.0f + 2e-7f) + past);
         }
-        walk = moved(walk, slope, size, best * (1.0f + 2e-7f) + past);
+        if (walk.z <= lowest)
+            break;
+        ++fetches;
+        float z = walk.z - best;
+        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, z, min(leave - best, max(z, 0.0f)));
+        if (s <= 1.0f) {
+            float t = min(1.0f - z + s, 1.0f);
+            return Hit(ray.uv + ray.duv * t, t, true, fetches);
+        }
+        walk = moved(walk, slope, size, leave * (1.0f + 2e-7f) + past);
     }
     return Hit(ray.uv + ray.duv * ray.end, ray.end, ray.end >= 1.0f, fetches);
 }
