@@ -119,6 +119,66 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     return opened;
 }
 
+namespace {
+
+Wrap wrapOf(const Parameters& parameters)
+{
+    return parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat;
+}
+
+// Makes the bound maps that the panes' techniques search with and that are not there; forgets the others.
+Expected<void> loadBounds(const State& state, Resources& resources, const Progress& progress)
+{
+    std::map<std::string, Resources::Bound, std::less<>> bounds;
+    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
+        const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
+        if (!technique || technique->bound.empty() || !resources.material->height)
+            continue;
+        if (const auto made = makeBound(resources, *technique, effectiveParameters(state, pane), progress); !made)
+            return made;
+        const std::string key(technique->bound);
+        bounds[key] = resources.bounds[key];
+    }
+    resources.bounds = std::move(bounds);
+    return {};
+}
+
+} // namespace
+
+std::shared_ptr<const SearchTexture> boundFor(const Resources& resources, const TechniqueRow& technique, const Parameters& parameters)
+{
+    const auto found = resources.bounds.find(technique.bound);
+    if (found == resources.bounds.end() || !resources.material || !resources.material->height)
+        return nullptr;
+    const Resources::Bound& bound = found->second;
+    const bool fits = bound.heights == resources.material->height->identity() && bound.wrap == wrapOf(parameters)
+        && (bound.allLevels || !parameters.heightMips);
+    return fits ? bound.texture : nullptr;
+}
+
+Expected<void> makeBound(Resources& resources, const TechniqueRow& technique, const Parameters& parameters, const Progress& progress)
+{
+    if (technique.bound.empty() || !resources.material->height || boundFor(resources, technique, parameters))
+        return {};
+    const HeightField field = resources.material->height->withWrap(wrapOf(parameters));
+    auto texture = searchTexture(technique.bound, field, parameters, parameters.heightMips, progress);
+    if (!texture)
+        return tl::unexpected(texture.error());
+    resources.bounds[std::string(technique.bound)] = {std::move(*texture), field.identity(), field.wrap(), parameters.heightMips};
+    return {};
+}
+
+bool boundsFit(const State& state, const Resources& resources)
+{
+    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
+        const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
+        if (technique && !technique->bound.empty() && resources.material && resources.material->height
+            && !boundFor(resources, *technique, effectiveParameters(state, pane)))
+            return false;
+    }
+    return true;
+}
+
 Expected<Resources> loadResources(const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress)
 {
     Resources resources = previous;
@@ -154,6 +214,8 @@ Expected<Resources> loadResources(const State& state, const DecodedImages& image
     if (progress.cancelled())
         return failure(state.name, "cancelled");
     progress.at(1.f);
+    if (const auto baked = loadBounds(state, resources, part(0.9f, 1.f)); !baked)
+        return tl::unexpected(baked.error());
     return resources;
 }
 

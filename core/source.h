@@ -6,9 +6,12 @@
 #include "core/image/environment.h"
 #include "core/image/material.h"
 #include "core/image/texture_set.h"
+#include "core/maps/search_texture.h"
 #include "core/mesh/mesh.h"
 #include "core/progress.h"
 #include "core/state/state.h"
+#include "core/state/techniques.h"
+#include <map>
 #include <memory>
 #include <string>
 
@@ -19,6 +22,14 @@ struct Resources {
     std::shared_ptr<const Material> material;
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Environment> environment;
+    // Bound maps of the techniques in use, by row of kMaps, and what they were made from.
+    struct Bound {
+        std::shared_ptr<const SearchTexture> texture;
+        std::shared_ptr<const void> heights; // HeightField::identity
+        Wrap wrap = Wrap::Repeat;
+        bool allLevels = false;
+    };
+    std::map<std::string, Bound, std::less<>> bounds;
     // What the State named when these were loaded: decides what must be loaded again.
     std::string meshName, environmentName;
 };
@@ -34,6 +45,14 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
 
 // Whether SOURCE names something made by formula: there is no file behind it.
 bool isBuiltInSource(std::string_view source);
+
+// The bound map of `technique`, when it fits the height map and the parameters; else nullptr: such a map is made anew, never used.
+// Techniques without one: nullptr too.
+std::shared_ptr<const SearchTexture> boundFor(const Resources& resources, const TechniqueRow& technique, const Parameters& parameters);
+// Makes it and adds it to resources.bounds, when it is wanted and not there.
+Expected<void> makeBound(Resources& resources, const TechniqueRow& technique, const Parameters& parameters, const Progress& progress = {});
+// Whether the bound maps of all panes are there.
+bool boundsFit(const State& state, const Resources& resources);
 
 // ".png" of "A.PNG".
 std::string lowerSuffix(const std::filesystem::path& file);

@@ -88,6 +88,12 @@ void LinkedProgram::set(const char* name, float value) const
         glUniform1f(at, value);
 }
 
+void LinkedProgram::set(const char* name, const std::vector<glm::vec4>& values) const
+{
+    if (const GLint at = glGetUniformLocation(*m_program, name); at >= 0)
+        glUniform4fv(at, GLsizei(values.size()), &values.front().x);
+}
+
 bool LinkedProgram::bind(const char* sampler, GLenum target, GLuint texture, int unit) const
 {
     const GLint at = glGetUniformLocation(*m_program, sampler);

@@ -19,6 +19,7 @@ public:
     void set(const Parameters& parameters) const;
     void set(const SceneUniforms& uniforms) const;
     void set(const char* name, float value) const;
+    void set(const char* name, const std::vector<glm::vec4>& values) const; // of an array, from its first element on
     // Binds to a texture unit when the program reads `name`; returns whether it does.
     bool bind(const char* sampler, GLenum target, GLuint texture, int unit) const;
     bool reads(const char* name) const { return glGetUniformLocation(*m_program, name) >= 0; }

@@ -41,6 +41,7 @@ std::set<MapKind> presentMaps(const Material& material)
 
 struct Renderer::Impl {
     Uploads uploads;
+    std::map<std::string, Resources::Bound, std::less<>> bounds; // made here
     ProgramCache programs;
     VertexArray noVertices;
     Framebuffer measuring;
@@ -49,7 +50,7 @@ struct Renderer::Impl {
     const LinkedProgram* meshProgramFor(const ProgramFeatures& features, std::optional<Error>& error)
     {
         std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
-            + (features.shadows ? "/shadows" : "") + (features.linear ? "/linear" : "");
+            + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
         return programs.get(
@@ -130,6 +131,21 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
             std::string(technique->label) + (view == "error" ? "'s error" : "") + " needs a height map and the material has none",
             "Assign one, or choose flat or bump");
 
+    Resources used = resources;
+    std::erase_if(m->bounds,
+        [&](const auto& made) { return !resources.material->height || made.second.heights != resources.material->height->identity(); });
+    used.bounds.insert(m->bounds.begin(), m->bounds.end());
+    if (target.mayBake) {
+        if (const auto made = m->bounds.find(technique->bound); made != m->bounds.end() && !boundFor(used, *technique, parameters))
+            used.bounds.insert_or_assign(made->first, made->second);
+        if (const auto made = makeBound(used, *technique, parameters); !made)
+            return made;
+        m->bounds = used.bounds;
+    }
+    const std::shared_ptr<const SearchTexture> bound = boundFor(used, *technique, parameters);
+    if (!technique->bound.empty() && !bound)
+        return failure(state.name, "the map that " + std::string(technique->label) + " searches with is not made yet", "Wait a moment");
+
     const Mesh& mesh = *resources.mesh;
     CameraView camera = cameraView(state.camera, mesh.boundsMin, mesh.boundsMax, float(target.width) / float(std::max(target.height, 1)));
     const glm::vec3 shift(2.f * target.jitter.x / float(target.width), 2.f * target.jitter.y / float(std::max(target.height, 1)), 0.f);
@@ -141,14 +157,14 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     if (const auto fits = fitTheDriver(*resources.material); !fits)
         return fits;
     m->programs.reload();
-    m->uploads.hold(resources);
+    m->uploads.hold(used);
     std::optional<Error> error;
     const Wrap wrap = parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat;
     const auto use = [&](const LinkedProgram& program) {
         program.use();
         program.set(parameters);
         program.set(uniforms);
-        m->uploads.bindMaps(program, wrap);
+        m->uploads.bindMaps(program, wrap, technique->bound, bound);
     };
     if (const LinkedProgram* program = m->meshProgramFor(programFeatures(parameters, technique->key, view, maps, target.linear), error)) {
         use(*program);

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shader_text/program_text.h"
 #include "core/state/techniques.h"
+#include "core/trace/shader_on_cpu.h"
 #include "render/program.h"
 #include "render/uploads.h"
 #include "render/windowless.h"
@@ -91,27 +92,36 @@ struct Pass {
 } // namespace
 
 Expected<std::vector<SearchHit>> traceRaysOnGpu(
-    std::string_view key, const Parameters& parameters, const HeightField* field, std::span<const SearchRay> rays)
+    std::string_view key, const Parameters& parameters, const HeightField* field, std::span<const SearchRay> rays, Dialect dialect)
 {
-    const TechniqueRow* row = findTechnique(key);
-    if (row && listHas(row->maps, "height") && !field)
-        return failure(std::string(key), "this technique needs a height map and there is none", "Add one, or use flat or bump");
+    const auto maps = searchMaps(key, parameters, field);
+    if (!maps)
+        return tl::unexpected(maps.error());
     const char* folder = std::getenv("RELIEVO_SHADERS");
-    const auto text = traceProgram(key, folder && *folder ? folderReader(folder) : embeddedReader());
+    const auto text = traceProgram(key, folder && *folder ? folderReader(folder) : embeddedReader(), dialect);
     if (!text)
         return tl::unexpected(text.error());
     const auto program = LinkedProgram::link(*text);
     if (!program)
         return tl::unexpected(program.error());
     program->use();
-    program->set(parameters);
+    const Wrap wrap = field ? field->wrap() : Wrap::Repeat;
+    Parameters used = parameters;
+    used.wrap = wrap == Wrap::Clamp ? 1 : 0;
+    program->set(used);
     Texture heights;
     if (program->reads("heightMap")) {
         heights = uploadHeight(*field, false);
-        const GLint mode = field->wrap() == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+        const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
         program->bind("heightMap", GL_TEXTURE_2D, *heights, 0);
+    }
+    SearchUpload bound;
+    if (maps->bound) {
+        glActiveTexture(GL_TEXTURE15);
+        bound = uploadSearchTexture(findTechnique(key)->bound, *maps->bound, wrap);
+        bindSearchTexture(*program, bound, 3);
     }
     std::vector<SearchHit> hits(rays.size());
     for (std::size_t first = 0; first < rays.size(); first += std::size_t(kRow) * kRows) {

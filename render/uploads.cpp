@@ -144,20 +144,68 @@ Texture uploadEnvironment(const Environment& environment)
 
 } // namespace
 
+namespace {
+void uploadHeightLevel(const HeightField& field, int level)
+{
+    if (field.storedBits() <= 16) {
+        std::vector<std::uint16_t> values(field.texels().size());
+        std::ranges::transform(field.texels(), values.begin(), [](float h) { return std::uint16_t(std::lround(h * 65535.f)); });
+        glTexImage2D(GL_TEXTURE_2D, level, GL_R16, field.width(), field.height(), 0, GL_RED, GL_UNSIGNED_SHORT, values.data());
+    } else {
+        glTexImage2D(GL_TEXTURE_2D, level, GL_R32F, field.width(), field.height(), 0, GL_RED, GL_FLOAT, field.texels().data());
+    }
+}
+} // namespace
+
 Texture uploadHeight(const HeightField& field, bool mips)
 {
     Texture texture = newTexture();
     glBindTexture(GL_TEXTURE_2D, *texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (field.storedBits() <= 16) {
-        std::vector<std::uint16_t> values(field.texels().size());
-        std::ranges::transform(field.texels(), values.begin(), [](float h) { return std::uint16_t(std::lround(h * 65535.f)); });
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, field.width(), field.height(), 0, GL_RED, GL_UNSIGNED_SHORT, values.data());
-    } else {
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, field.width(), field.height(), 0, GL_RED, GL_FLOAT, field.texels().data());
-    }
-    filter(mips ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
+    // Levels of our own: the driver's would not be those that the bound maps are baked from.
+    const std::vector<HeightField> levels = mips ? heightLevels(field) : std::vector<HeightField>{field};
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        uploadHeightLevel(levels[i], int(i));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(levels.size()) - 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, mips ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     return texture;
+}
+
+SearchUpload uploadSearchTexture(std::string_view bound, const SearchTexture& map, Wrap wrap)
+{
+    SearchUpload upload{newTexture(), GL_TEXTURE_2D, map.isCodes ? "cellMap" : "boundMap", map.scales};
+    if (bound == "distance") {
+        upload.target = GL_TEXTURE_3D, upload.sampler = "distanceMap";
+        std::ranges::fill(upload.scales, map.scales.front()); // the finest volume serves all levels
+    }
+    glBindTexture(upload.target, *upload.texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const int levels = upload.target == GL_TEXTURE_3D ? 1 : int(map.levels.size());
+    for (int i = 0; i < levels; ++i) {
+        const Image& image = map.levels[std::size_t(i)];
+        const Format format = map.isCodes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false);
+        if (upload.target == GL_TEXTURE_3D)
+            glTexImage3D(GL_TEXTURE_3D, 0, format.internal, image.width, image.height / map.slices, map.slices, 0, format.layout,
+                format.type, image.data.data());
+        else
+            glTexImage2D(GL_TEXTURE_2D, i, format.internal, image.width, image.height, 0, format.layout, format.type, image.data.data());
+    }
+    const bool nearest = map.isCodes || bound == "pyramid";
+    const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+    glTexParameteri(upload.target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_NEAREST);
+    glTexParameteri(upload.target, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(upload.target, GL_TEXTURE_WRAP_S, mode);
+    glTexParameteri(upload.target, GL_TEXTURE_WRAP_T, mode);
+    glTexParameteri(upload.target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    return upload;
+}
+
+void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload, int unit)
+{
+    program.bind(std::string(upload.sampler).c_str(), upload.target, *upload.texture, unit);
+    program.set("boundScales[0]", upload.scales);
 }
 
 void Uploads::hold(const Resources& resources)
@@ -166,6 +214,10 @@ void Uploads::hold(const Resources& resources)
         m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer();
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
+    std::erase_if(m_bounds, [&](const auto& entry) {
+        const auto held = resources.bounds.find(entry.first);
+        return held == resources.bounds.end() || held->second.texture != entry.second.map;
+    });
     m_resources = resources;
     if (!resources.material->height)
         m_slopes = Map(), m_uploadedSlopes = nullptr;
@@ -222,7 +274,8 @@ void Uploads::bindMap(const LinkedProgram& program, const std::string& sampler, 
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
 }
 
-void Uploads::bindMaps(const LinkedProgram& program, Wrap wrap)
+void Uploads::bindMaps(
+    const LinkedProgram& program, Wrap wrap, std::string_view boundKey, const std::shared_ptr<const SearchTexture>& bound)
 {
     int unit = 0;
     for (const MapKindRow& row : kMapKinds)
@@ -230,6 +283,17 @@ void Uploads::bindMaps(const LinkedProgram& program, Wrap wrap)
             bindMap(program, sampler, map(row.kind), wrap, unit++);
     if (program.reads("slopeMap"))
         bindMap(program, "slopeMap", slopes(wrap), wrap, unit++);
+    if (m_resources.material->height) {
+        const HeightField& field = *m_resources.material->height;
+        program.set("heightMapLast", float(levelCount(field) - 1));
+    }
+    if (bound && (program.reads("boundMap") || program.reads("cellMap") || program.reads("distanceMap"))) {
+        glActiveTexture(GL_TEXTURE0 + kUploadUnit);
+        UploadedBound& uploaded = m_bounds[std::string(boundKey)];
+        if (uploaded.map != bound)
+            uploaded = {bound, uploadSearchTexture(boundKey, *bound, wrap)};
+        bindSearchTexture(program, uploaded.upload, unit++);
+    }
     if (program.reads("environmentMap")) {
         glActiveTexture(GL_TEXTURE0 + kUploadUnit);
         if (!m_environment)
@@ -274,7 +338,7 @@ void Uploads::drawMesh(bool pushed)
 int Uploads::textureCount() const
 {
     const auto maps = std::ranges::count_if(m_maps, [](const Map& map) { return bool(map.texture); });
-    return int(maps) + (m_slopes.texture ? 1 : 0) + (m_environment ? 1 : 0);
+    return int(maps) + int(m_bounds.size()) + (m_slopes.texture ? 1 : 0) + (m_environment ? 1 : 0);
 }
 
 } // namespace relievo

@@ -6,8 +6,11 @@
 #include "render/gl_objects.h"
 #include "render/program.h"
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace relievo {
 
@@ -15,13 +18,24 @@ namespace relievo {
 // filtered in 8-bit fixed point as R8 is on some rasterisers), R32F else.
 Texture uploadHeight(const HeightField& field, bool mips = true);
 
+// A bound map as textures of its kind: floats with linear filter, whole numbers, or a volume. Wrap mode as given.
+struct SearchUpload {
+    Texture texture;
+    GLenum target = GL_TEXTURE_2D;
+    std::string_view sampler; // the name it has in shaders
+    std::vector<glm::vec4> scales;
+};
+SearchUpload uploadSearchTexture(std::string_view bound, const SearchTexture& map, Wrap wrap);
+void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload, int unit);
+
 class Uploads {
 public:
     // Forgets what belongs to other resources than these.
     void hold(const Resources& resources);
 
     // Binds the maps, the environment and their sizes that the program reads; uploads those that are missing.
-    void bindMaps(const LinkedProgram& program, Wrap wrap);
+    // bound: row of kMaps and texture of the technique, or nothing.
+    void bindMaps(const LinkedProgram& program, Wrap wrap, std::string_view boundKey, const std::shared_ptr<const SearchTexture>& bound);
 
     // Draws all triangles of the mesh. Attribute locations are those of mesh_vertex.glsl.
     // pushed: with the directions of core/mesh/push.h, which are made only then.
@@ -45,6 +59,11 @@ private:
     Map m_slopes; // of the height map, for materials without a normal map
     std::shared_ptr<const void> m_uploadedSlopes;
     Wrap m_slopesWrap = Wrap::Repeat;
+    struct UploadedBound {
+        std::shared_ptr<const SearchTexture> map;
+        SearchUpload upload;
+    };
+    std::map<std::string, UploadedBound, std::less<>> m_bounds;
     Texture m_environment;
     VertexArray m_vertexArray;
     Buffer m_vertices, m_indices, m_push;

@@ -4,6 +4,7 @@
 #pragma once
 #include "core/error.h"
 #include "core/image/image.h"
+#include "core/shader_text/program_text.h"
 #include "core/trace/ray.h"
 #include "render/renderer.h"
 #include <memory>
@@ -39,7 +40,8 @@ Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t 
     int width, int height, int samples, bool linear);
 
 // traceRays of core/trace on the GPU: the same text of technique `key` on the field's base level. Needs a current context.
-Expected<std::vector<SearchHit>> traceRaysOnGpu(
-    std::string_view key, const Parameters& parameters, const HeightField* field, std::span<const SearchRay> rays);
+// dialect: the language that the text is compiled as; GLSL ES 3.00 is what WebGL2 runs.
+Expected<std::vector<SearchHit>> traceRaysOnGpu(std::string_view key, const Parameters& parameters, const HeightField* field,
+    std::span<const SearchRay> rays, Dialect dialect = Dialect::Desktop);
 
 } // namespace relievo

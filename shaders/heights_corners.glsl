@@ -1,4 +1,4 @@
-// The four corners of a cell of the full-resolution height map.
+// The four corners of a cell of the height map, at the level that is searched.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 
@@ -6,6 +6,12 @@
 // another cell: (h00, h10, h01, h11), the second index running down the image.
 vec4 cornersAt(vec2 cell)
 {
-    vec4 gathered = textureGather(heightMap, (cell + 1.0f) / vec2(textureSize(heightMap, 0)), 0);
-    return vec4(gathered.w, gathered.z, gathered.x, gathered.y);
+    int level = searchLevel();
+    ivec2 size = textureSize(heightMap, level);
+    if (level == 0) {
+        vec4 gathered = textureGather(heightMap, (cell + 1.0f) / vec2(size), 0);
+        return vec4(gathered.w, gathered.z, gathered.x, gathered.y);
+    }
+    // A gather reads the finest level only.
+    return cornersOf(ivec2(cell), size, level);
 }

@@ -1,9 +1,6 @@
 // Heights of the full-resolution map, interpolated here from the four corners: the same numbers on every machine.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-
-#include "heights_corners.glsl"
-
 float heightAt(vec2 uv)
 {
     vec2 p = uv * vec2(textureSize(heightMap, 0)) - 0.5f;

@@ -6,7 +6,17 @@ float heightLevel = 0.0f;
 // footprint: log2 of the pixel's size in uv. Whole levels: each is a height field of its own, bilinear like the first.
 void startSearch(float footprint)
 {
-    heightLevel = heightMips ? max(0.0f, floor(footprint + heightMapLevels + 0.5f)) : 0.0f;
+    heightLevel = heightMips ? clamp(floor(footprint + heightMapLevels + 0.5f), 0.0f, heightMapLast) : 0.0f;
+}
+
+int searchLevel()
+{
+    return int(heightLevel);
+}
+
+vec2 searchSize()
+{
+    return vec2(textureSize(heightMap, searchLevel()));
 }
 
 float heightAt(vec2 uv)

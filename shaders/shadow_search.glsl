@@ -1,13 +1,11 @@
-// Hard self-shadow: the same search, sent from the light to the point seen (Policarpo, Oliveira, Comba 2005, section 3, figure 10).
+// Self-shadow: the same search, sent from the light down to the depth of the point seen and no further (Policarpo, Oliveira, Comba 2005,
+// section 3, figure 10). slack() is what an occluder must lie above the point by.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-float lightReaching(Surface surface)
+bool lightIsHidden(Surface surface, vec3 toLight)
 {
-    float cosine = dot(surface.frame.normal, lightDirection);
-    if (cosine <= 0.0f)
-        return 1.0f - shadowStrength; // the light comes from behind the surface
-    Ray ray = rayInto(surface.frame, surface.hit.uv, lightDirection);
+    Ray ray = rayInto(surface.frame, surface.hit.uv, toLight);
     ray.uv -= ray.duv * surface.hit.t; // up to where the light enters the relief
-    Hit occluder = trace(ray);
-    return occluder.found && occluder.t < surface.hit.t - shadowBias ? 1.0f - shadowStrength : 1.0f;
+    ray.end = surface.hit.t - shadowSlack(ray);
+    return ray.end > 0.0f && trace(ray).found;
 }

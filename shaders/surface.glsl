@@ -37,7 +37,7 @@ Ray rayInto(Frame frame, vec2 uv, vec3 toSource)
 {
     float cosine = clamp(dot(frame.normal, toSource), 0.002f, 1.0f); // interpolated normals may turn away at the outline
     vec3 travel = toSource * (-reliefDepth / cosine);
-    return Ray(uv, vec2(dot(travel, frame.gradU), dot(travel, frame.gradV)), cosine);
+    return Ray(uv, vec2(dot(travel, frame.gradU), dot(travel, frame.gradV)), cosine, 1.0f);
 }
 
 // A pixel's size in uv: the shorter side of its footprint, but at least a quarter of the longer one (as 4 x anisotropy would).

@@ -8,7 +8,7 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 r = texelFetch(rayMap, pixel, 0);
-    Hit hit = trace(Ray(vec2(r.x, r.y), vec2(r.z, r.w), texelFetch(cosineMap, pixel, 0).r));
+    Hit hit = trace(Ray(vec2(r.x, r.y), vec2(r.z, r.w), texelFetch(cosineMap, pixel, 0).r, 1.0f));
     hitOut = vec4(hit.found ? 1.0f : 0.0f, hit.t, hit.uv.x, hit.uv.y);
     fetchesOut = float(hit.fetches);
 }

@@ -185,7 +185,7 @@ void Assets::take(const Resources& resources)
 // Undo, redo and pasted States name other files than those that are loaded.
 void Assets::follow(Changes what)
 {
-    if (!(what & (Changes(Change::Maps) | Change::Mesh | Change::Environment)) || !ready() || fits(m_document.state()))
+    if (!what || !ready() || fits(m_document.state()))
         return;
     m_background.start([this, state = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
         const auto resources = loadWhatIsThere(state, {}, previous, progress);
@@ -202,7 +202,7 @@ void Assets::refuse(const Error& error)
 bool Assets::fits(const State& state) const
 {
     return ready() && m_resources.material->slots == state.slots && m_resources.meshName == state.mesh
-        && m_resources.environmentName == state.environment;
+        && m_resources.environmentName == state.environment && boundsFit(state, m_resources);
 }
 
 } // namespace relievo

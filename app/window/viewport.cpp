@@ -146,7 +146,7 @@ Expected<void> Viewport::drawPane(int pane, double scale, glm::vec2 shift)
     Framebuffer& picture = m_pictures->drawn[std::size_t(pane)];
     picture.resize(scaled(size.width, scale), scaled(size.height, scale));
     const Target target{
-        picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift};
+        picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift, false};
     return m_renderer->draw(m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view, target);
 }
 

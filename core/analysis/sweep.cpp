@@ -21,7 +21,7 @@ Expected<SearchMaps> bakedAfresh(const MapRow& row, const Parameters& parameters
     const auto baked = bakeMap(row, heights, parameters, progress);
     if (!baked)
         return tl::unexpected(baked.error());
-    return SearchMaps{heights, std::make_shared<const BakedMap>(storedMap(row, *baked, row.bits))};
+    return SearchMaps{heights, searchTextureOf(row, {std::make_shared<const BakedMap>(storedMap(row, *baked, row.bits))}, heights)};
 }
 
 Expected<TimedMaps> timedMaps(

@@ -6,6 +6,7 @@
 #include "core/image/height_field.h"
 #include "core/image/image.h"
 #include "core/maps/baked_map.h"
+#include "core/maps/cell_cones.h"
 #include "core/maps/cone.h"
 #include "core/maps/distance.h"
 #include "core/maps/pyramid.h"
@@ -24,6 +25,7 @@ struct MapRow {
     std::array<ChannelRule, 4> rules; // of each channel, when stored
     int bits; // a channel has when stored, unless asked otherwise: 8, 16 or 32 (float)
     int version; // of the algorithm: maps of another version in the cache are not used
+    bool isCodes; // whole numbers of 16 bits, baked as they are stored
     std::string_view parameters; // rows of kParameters that the result depends on, separated by spaces
     BakedMap (*bake)(const HeightField& field, const Parameters& parameters, const Progress& progress); // F32 values, scale 1
     std::string_view help;
@@ -36,20 +38,23 @@ inline constexpr std::array<ChannelRule, 4> kHeightAndRatio = {ChannelRule{}, kR
 inline constexpr std::array<ChannelRule, 4> kFourRatios = {kRatio, kRatio, kRatio, kRatio};
 
 inline constexpr auto kMaps = std::to_array<MapRow>({
-    {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, "depth normalStrength", bakeNormal,
+    {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, false, "depth normalStrength", bakeNormal,
         "Tangent-space normals of the height map at the State's depth, OpenGL style."},
-    {"pyramid", "Maximum pyramid", "height", 1, {ChannelRule{Rounding::Up}}, 16, 1, "", bakePyramid,
+    {"pyramid", "Maximum pyramid", "height", 1, {ChannelRule{Rounding::Up}}, 16, 1, false, "", bakePyramid,
         "Highest point of the surface above each cell between texel centres, then of 2 x 2, up to one texel (Tevs 2008)."},
-    {"cone", "Cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, "", bakeCone,
+    {"cone", "Cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, false, "", bakeCone,
         "Height, and the ratio of the widest upward cone with no texel centre above it (Dummer 2006)."},
-    {"cone-quad", "Quad cone map", "tiles per height", 4, kFourRatios, 16, 1, "", bakeConeQuad,
+    {"cone-quad", "Quad cone map", "tiles per height", 4, kFourRatios, 16, 1, false, "", bakeConeQuad,
         "Cone ratios of the four sectors of 90 degrees centred on +u, -u, +v, -v (GPU Gems 3, chapter 18)."},
-    {"cone-relaxed", "Relaxed cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, "", bakeConeRelaxed,
+    {"cone-relaxed", "Relaxed cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, false, "", bakeConeRelaxed,
         "Height, and the ratio of the widest cone in which a ray from above enters the surface but never leaves it (Policarpo and Oliveira "
         "2007)."},
-    {"cone-robust", "Robust cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, "", bakeConeRobust,
+    {"cone-robust", "Robust cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, false, "", bakeConeRobust,
         "Height, and the smallest of 3 x 3 cone ratios that only texels before a falling edge limit (Ban et al. 2024)."},
-    {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 1, "", bakeDistance,
+    {"cell-cone", "Cell cones", "codes", 4, {}, 16, 1, true, "", bakeCellCones,
+        "For each cell between texel centres, and the nodes of 4, 16 and 64 cells a side that hold it: highest point (upper byte) and "
+        "steepest rise from it (lower byte). See the page on cell cones."},
+    {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 1, false, "", bakeDistance,
         "Distance to the relief at up to 128 x 128 x 32 points of the slab, for sphere tracing (Donnelly 2005); the slices one below the "
         "other, from the top down."},
 });

@@ -107,6 +107,8 @@ Image storedLevel(const Image& level, const std::array<ChannelRule, 4>& rules, g
 
 BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits)
 {
+    if (row.isCodes)
+        return map;
     BakedMap out;
     out.slices = map.slices;
     if (bits != 32)

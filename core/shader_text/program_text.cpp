@@ -92,10 +92,15 @@ constexpr std::string_view typeName(const SceneMember& member)
     return names[member.index()];
 }
 
+// By Dialect.
+constexpr std::array<std::string_view, 2> kHeaders = {"#version 410 core\n",
+    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n"
+    "precision highp usampler2D;\n"};
+
 // Collects the parts of one stage; each file is included once.
 class Assembly {
 public:
-    explicit Assembly(const ShaderReader& read) : m_read(read) { }
+    explicit Assembly(const ShaderReader& read, Dialect dialect = Dialect::Desktop) : m_read(read), m_dialect(dialect) { }
 
     Assembly& file(std::string_view name)
     {
@@ -123,7 +128,7 @@ public:
     {
         if (m_failed)
             return tl::unexpected(*m_failed);
-        return ShaderText{"#version 410 core\n" + uniformDeclarations(m_body) + m_body, m_files};
+        return ShaderText{std::string(kHeaders[std::size_t(m_dialect)]) + uniformDeclarations(m_body) + m_body, m_files};
     }
 
 private:
@@ -149,6 +154,7 @@ private:
     }
 
     const ShaderReader& m_read;
+    Dialect m_dialect;
     std::string m_body;
     std::vector<std::string> m_files = {"generated text"};
     std::optional<Error> m_failed;
@@ -203,6 +209,22 @@ std::string_view normalsFile(const std::set<MapKind>& maps)
 
 constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"};
 
+// The technique and what it reads the maps by, for pictures.
+void searchFiles(Assembly& part, const TechniqueRow& technique, bool readsCorners)
+{
+    part.file(listHas(technique.maps, "height") ? "heights_filtered.glsl" : "heights_none.glsl");
+    if (technique.isExact || readsCorners) {
+        if (!listHas(technique.maps, "height"))
+            part.file("level_base.glsl");
+        part.file("heights_texels.glsl").file("heights_corners.glsl");
+    }
+    if (!technique.bound.empty())
+        part.file(technique.isExact ? "bounds_texels.glsl" : "bounds_scale.glsl");
+    if (!technique.bound.empty() && !technique.isExact)
+        part.file(technique.bound == "distance" ? "volume_filtered.glsl" : "bounds_filtered.glsl");
+    part.file(technique.file);
+}
+
 Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderReader& read)
 {
     const TechniqueRow* technique = findTechnique(features.technique);
@@ -218,7 +240,12 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file("normals_none.glsl");
         else
             part.file(normalsFile(features.maps));
-        part.file(technique->searches && features.shadows ? "shadow_search.glsl" : "shadow_none.glsl");
+        if (technique->searches && features.shadows)
+            part.file(technique->isExact ? "shadow_slack_exact.glsl" : "shadow_slack_bias.glsl")
+                .file("shadow_search.glsl")
+                .file(features.softShadows ? "shadow_soft.glsl" : "shadow_hard.glsl");
+        else
+            part.file("shadow_none.glsl");
         if (features.view == "shaded")
             part.file("environment.glsl").file(kShadingFiles[features.shading]);
         part.file(view->file);
@@ -232,9 +259,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
 
     Assembly part(read);
     part.file("contract.glsl").file("surface.glsl").generated(mapFunctions(features.maps, drafted->text));
-    part.file(listHas(technique->maps, "height") ? "heights_filtered.glsl" : "heights_none.glsl").file(technique->file);
-    if (features.view == "error")
-        part.file("heights_corners.glsl");
+    searchFiles(part, *technique, features.view == "error");
     body(part);
     if (view->isHeat)
         part.file("heat.glsl")
@@ -261,10 +286,11 @@ Expected<ProgramText> program(Expected<ShaderText> vertex, Expected<ShaderText> 
 ProgramFeatures programFeatures(
     const Parameters& parameters, std::string_view technique, std::string_view view, const std::set<MapKind>& maps, bool linear)
 {
-    ProgramFeatures features{std::string(technique), std::string(view), maps, 0, false, linear};
+    ProgramFeatures features{std::string(technique), std::string(view), maps, 0, false, false, linear};
     const TechniqueRow* row = findTechnique(technique);
     const bool lit = view == "shaded";
     features.shading = lit ? parameters.shading : 0;
+    features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
     features.shadows = (lit || view == "shadow") && parameters.shadows && row && row->searches;
     return features;
 }
@@ -290,16 +316,24 @@ Expected<ProgramText> wireframeProgram(const ShaderReader& read)
     return program(Assembly(read).file("mesh_vertex.glsl").finish(), Assembly(read).file("wireframe.glsl").finish());
 }
 
-Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read)
+Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect)
 {
     const TechniqueRow* row = findTechnique(technique);
     if (!row || row->file.empty())
         return failure(std::string(technique), "this technique does not run on the GPU", "Use --device cpu");
-    Assembly fragment(read);
+    Assembly fragment(read, dialect);
     fragment.file("contract.glsl");
     if (listHas(row->maps, "height"))
-        fragment.file("heights_exact.glsl");
-    return program(Assembly(read).file("full_screen_vertex.glsl").finish(), fragment.file(row->file).file("trace_rays.glsl").finish());
+        fragment.file("level_base.glsl")
+            .file("heights_texels.glsl")
+            .file(dialect == Dialect::Desktop ? "heights_corners.glsl" : "heights_corners_es.glsl")
+            .file("heights_exact.glsl");
+    if (!row->bound.empty())
+        fragment.file(row->isExact ? "bounds_texels.glsl" : "bounds_scale.glsl");
+    if (!row->bound.empty() && !row->isExact)
+        fragment.file(row->bound == "distance" ? "volume_exact.glsl" : "bounds_exact.glsl");
+    return program(
+        Assembly(read, dialect).file("full_screen_vertex.glsl").finish(), fragment.file(row->file).file("trace_rays.glsl").finish());
 }
 
 std::string uniformDeclarations(const std::string& text)
@@ -317,6 +351,12 @@ std::string uniformDeclarations(const std::string& text)
         declare("sampler2D", std::string(row.key) + "Map");
         declare("float", std::string(row.key) + "MapLevels"); // log2 of the map's longest side
     }
+    declare("float", "heightMapLast"); // its last mip level
+    declare("sampler2D", "boundMap"); // of the technique, by what it is: filtered or heights, codes, a volume
+    declare("usampler2D", "cellMap");
+    declare("sampler3D", "distanceMap");
+    if (mentionsIdentifier(text, "boundScales"))
+        declarations += "uniform vec4 boundScales[16];\n"; // kMaxHeightLevels
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
     declare("samplerCube", "environmentMap");

@@ -21,6 +21,7 @@ struct ProgramFeatures {
     std::set<MapKind> maps; // maps that the material has
     int shading = 0; // the parameter
     bool shadows = false; // self-shadows wanted (a technique that does not search has none)
+    bool softShadows = false; // and by a light with a size
     bool linear = false; // Target::linear
     auto operator<=>(const ProgramFeatures&) const = default;
 };
@@ -46,8 +47,10 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
 Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read);
 Expected<ProgramText> wireframeProgram(const ShaderReader& read);
+// GLSL 4.10, or ES 3.00 as WebGL2 has it.
+enum class Dialect { Desktop, Es };
 // Runs the technique's search on rays in textures (`trace --device gl`).
-Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read);
+Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
 
 // A driver's log with "0:12(3)" or "1:12:" turned into "relief.glsl:12".
 std::string namedLog(const std::string& log, const ShaderText& text);

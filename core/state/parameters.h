@@ -27,12 +27,17 @@ struct Parameters { // the initialisers ARE the defaults
     int minSteps = 8;
     int maxSteps = 32;
     int refineSteps = 6;
+    int leapSteps = 15;
+    bool doublePrecision = false;
+    bool lastBracket = false;
+    bool provenStep = false;
     bool offsetLimiting = false;
     bool heightMips = true;
     // Shadows
     bool shadows = true;
     float shadowStrength = 1.f;
     float shadowBias = 0.02f;
+    float lightSize = 0.f;
     // Shading
     int shading = 0;
     glm::vec3 tint{1.f};
@@ -99,6 +104,14 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         "Samples of the coarse search at grazing views."},
     {&Parameters::refineSteps, "refineSteps", "Refining steps", Group::Search, 0.f, 16.f, "", "technique", "",
         "Halvings that follow the coarse hit."},
+    {&Parameters::leapSteps, "leapSteps", "Most leaps", Group::Search, 1.f, 4096.f, "", "technique", "",
+        "Steps from cone to cone (or ball to ball) before the search gives up; few of them stop short at grazing views."},
+    {&Parameters::doublePrecision, "doublePrecision", "Double precision", Group::Search, 0.f, 1.f, "", "technique", "",
+        "20 linear steps and 5 halvings instead of 10 and 6 (Policarpo 2004)."},
+    {&Parameters::lastBracket, "lastBracket", "Halve last step only", Group::Search, 0.f, 1.f, "", "technique", "",
+        "Off: halves all of the way, as printed in GPU Gems 3. On: only the step that went inside, which finds the right hit more often."},
+    {&Parameters::provenStep, "provenStep", "Proven step", Group::Search, 0.f, 1.f, "", "technique", "",
+        "Measures the ray by |du| + |dv|, which a bilinear surface cannot outrun, instead of by its length as in the paper."},
     {&Parameters::offsetLimiting, "offsetLimiting", "Offset limiting", Group::Search, 0.f, 1.f, "", "technique", "",
         "Drops the division by the view's height (Welsh 2004): steadier at grazing views, but too shallow there."},
     {&Parameters::heightMips, "heightMips", "Coarser far away", Group::Search, 0.f, 1.f, "", "technique", "",
@@ -109,7 +122,9 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
     {&Parameters::shadowStrength, "shadowStrength", "Strength", Group::Shadows, 0.f, 1.f, "", "shadows=1", "",
         "Share of the light that a shadow takes away."},
     {&Parameters::shadowBias, "shadowBias", "Bias", Group::Shadows, 0.f, 0.2f, "depth", "shadows=1", "",
-        "How much higher than the point an occluder must lie, as a share of the depth; hides shadow acne."},
+        "How much higher than the point an occluder must lie, as a share of the depth; hides shadow acne. Exact techniques need none."},
+    {&Parameters::lightSize, "lightSize", "Light size", Group::Shadows, 0.f, 20.f, "deg", "shadows=1", "",
+        "Angle that the light's disc fills: 0 casts hard shadows, more casts penumbras (and costs 8 searches instead of one)."},
 
     {&Parameters::shading, "shading", "Model", Group::Shading, 0.f, 1.f, "", "", "metallic-roughness blinn-phong",
         "Metallic-roughness as glTF and engines, or Blinn-Phong as the relief mapping papers."},

@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -20,7 +22,7 @@ using namespace glm;
 
 struct Ray {
     vec2 uv, duv;
-    float cosView;
+    float cosView, end;
 };
 struct Hit {
     vec2 uv;
@@ -29,16 +31,74 @@ struct Hit {
     int fetches;
 };
 
-// What heights_exact.glsl and the generated declarations are on the GPU.
+// What heights_exact.glsl, bounds_exact.glsl and the generated declarations are on the GPU.
 struct Machine : Parameters {
     const HeightField* heightMap = nullptr;
+    const SearchTexture* boundMap = nullptr;
+
     static ivec2 textureSize(const HeightField* map, int) { return {map->width(), map->height()}; }
+    static int searchLevel() { return 0; }
+    vec2 searchSize() const { return vec2(boundSize()); }
+    ivec2 boundSize() const { return textureSize(heightMap, 0); }
     float heightAt(vec2 uv) const { return heightMap->at(uv); }
     vec4 cornersAt(vec2 cell) const
     {
         const HeightField::Corners c = heightMap->corners(int(cell.x), int(cell.y));
         return {c.h00, c.h10, c.h01, c.h11};
     }
+
+    vec4 boundScale() const { return boundMap->scales.front(); }
+    float boundTexel(ivec2 texel) const { return boundMap->levels.front().value(texel.x, texel.y, 0); }
+    uvec4 cellCodes(ivec2 cell) const
+    {
+        std::uint16_t codes[4];
+        const Image& image = boundMap->levels.front();
+        std::memcpy(
+            codes, image.data.data() + (std::size_t(cell.y) * std::size_t(image.width) + std::size_t(cell.x)) * sizeof codes, sizeof codes);
+        return {codes[0], codes[1], codes[2], codes[3]};
+    }
+    vec4 boundAt(vec2 uv) const
+    {
+        const Image& image = boundMap->levels.front();
+        const Bilinear at(uv, {image.width, image.height}, heightMap->wrap());
+        vec4 value(0.f);
+        for (int c = 0; c < image.channels; ++c)
+            value[c] = at.of([&](ivec2 texel) { return image.value(texel.x, texel.y, c); });
+        return value;
+    }
+    float distanceAt(vec3 at) const
+    {
+        const Image& image = boundMap->levels.front();
+        const int rows = image.height / boundMap->slices;
+        const Bilinear place({at.x, at.y}, {image.width, rows}, heightMap->wrap());
+        const float row = clamp(at.z * float(boundMap->slices) - 0.5f, 0.f, float(boundMap->slices - 1));
+        const int slice = int(row), next = std::min(slice + 1, boundMap->slices - 1);
+        const float above = place.of([&](ivec2 texel) { return image.value(texel.x, texel.y + rows * slice, 0); });
+        const float below = place.of([&](ivec2 texel) { return image.value(texel.x, texel.y + rows * next, 0); });
+        return above + (below - above) * (row - float(slice));
+    }
+
+private:
+    // As bounds_exact.glsl, operation by operation.
+    struct Bilinear {
+        ivec2 low, high;
+        vec2 f;
+        Bilinear(vec2 uv, ivec2 size, Wrap wrap)
+        {
+            const vec2 p = uv * vec2(size) - 0.5f;
+            const vec2 whole = floor(p);
+            f = p - whole;
+            const auto index = [&](float at, int n) { return wrapIndex(int(clamp(at, -1e9f, 1e9f)), n, wrap); };
+            low = {index(whole.x, size.x), index(whole.y, size.y)};
+            high = {index(whole.x + 1.f, size.x), index(whole.y + 1.f, size.y)};
+        }
+        template <class Value> float of(Value value) const
+        {
+            const float top = value(low) * (1.f - f.x) + value({high.x, low.y}) * f.x;
+            const float bottom = value({low.x, high.y}) * (1.f - f.x) + value(high) * f.x;
+            return top * (1.f - f.y) + bottom * f.y;
+        }
+    };
 };
 
 #define RELIEVO_TECHNIQUE_BEGIN(file, name) struct Technique_##name : Machine {
@@ -61,17 +121,21 @@ namespace relievo {
 
 namespace {
 
-using Search = glsl::Hit (*)(const Parameters&, const HeightField*, glsl::Ray);
+using Search = glsl::Hit (*)(const Parameters&, const SearchMaps&, glsl::Ray);
 struct SearchRow {
     std::string_view file;
     Search search;
 };
 
-template <class Technique> glsl::Hit run(const Parameters& parameters, const HeightField* field, glsl::Ray ray)
+template <class Technique> glsl::Hit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray)
 {
     Technique technique;
     static_cast<Parameters&>(technique) = parameters;
-    technique.heightMap = field;
+    technique.boundMap = maps.bound.get();
+    if (maps.height) {
+        technique.heightMap = &*maps.height;
+        technique.wrap = maps.height->wrap() == Wrap::Clamp ? 1 : 0;
+    }
     return technique.trace(ray);
 }
 
@@ -87,11 +151,11 @@ bool finite(const SearchRay& r)
     return std::isfinite(float(r.uv.x)) && std::isfinite(float(r.uv.y)) && std::isfinite(float(r.duv.x)) && std::isfinite(float(r.duv.y));
 }
 
-SearchHit searched(Search search, const Parameters& parameters, const HeightField* field, const SearchRay& ray)
+SearchHit searched(Search search, const Parameters& parameters, const SearchMaps& maps, const SearchRay& ray)
 {
     if (!finite(ray))
         return {};
-    const glsl::Hit hit = search(parameters, field, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView)});
+    const glsl::Hit hit = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f});
     return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches};
 }
 
@@ -109,7 +173,7 @@ Expected<SearchMaps> searchMaps(std::string_view key, const Parameters& paramete
         maps.height = *field;
     if (row->bound.empty())
         return maps;
-    auto bound = cachedMap(*findMap(row->bound), *field, parameters, progress);
+    auto bound = searchTexture(row->bound, *field, parameters, false, progress);
     if (!bound)
         return tl::unexpected(bound.error());
     maps.bound = std::move(*bound);
@@ -145,7 +209,7 @@ Expected<std::vector<SearchHit>> traceRays(
         if (progress.cancelled())
             return;
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-            hits[i] = exact ? exactHit(*field, rays[i]) : searched(found->search, parameters, field, rays[i]);
+            hits[i] = exact ? exactHit(*field, rays[i]) : searched(found->search, parameters, maps, rays[i]);
         progress.at(float(done += range.size()) / float(rays.size()));
     });
     if (progress.cancelled())
@@ -157,7 +221,7 @@ float exactDepthInFloat(const HeightField& field, const SearchRay& ray)
 {
     glsl::ExactWalk walk;
     walk.heightMap = &field;
-    return walk.exactDepth({glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView)});
+    return walk.exactDepth({glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f});
 }
 
 glm::vec3 heatColor(float x)

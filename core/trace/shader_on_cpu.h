@@ -4,7 +4,7 @@
 #pragma once
 #include "core/error.h"
 #include "core/image/height_field.h"
-#include "core/maps/baked_map.h"
+#include "core/maps/search_texture.h"
 #include "core/progress.h"
 #include "core/state/parameters.h"
 #include "core/trace/ray.h"
@@ -20,7 +20,7 @@ namespace relievo {
 // What a search reads: the height field (its wrap mode counts) and the bound map of its technique's row.
 struct SearchMaps {
     std::optional<HeightField> height;
-    std::shared_ptr<const BakedMap> bound;
+    std::shared_ptr<const SearchTexture> bound;
 };
 // The maps of technique `key` on a field, baked or from the cache. `field` may be null for techniques whose row names no maps.
 // Errors: unknown technique, a height map that is wanted and missing, those of the bake.

@@ -1,0 +1,153 @@
+// Bound maps for every mip level, put together for the search.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/maps/search_texture.h"
+#include "core/maps/maps.h"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace relievo {
+
+namespace {
+
+float asStored(float h, int bits)
+{
+    return bits <= 16 ? std::round(h * 65535.f) / 65535.f : h;
+}
+
+// Share of source texel i (of `from`) in texel k of `to` along one axis: areas of a halving that rounds down overlap unevenly.
+struct Span {
+    int first, last;
+    float firstShare, lastShare; // of the outer texels
+};
+Span spanOf(int k, int to, int from)
+{
+    const double begin = double(k) * from / to, end = double(k + 1) * from / to;
+    const int first = int(begin), last = std::min(int(std::ceil(end)) - 1, from - 1);
+    return {first, last, float(std::min(end, first + 1.) - begin), last > first ? float(end - last) : 0.f};
+}
+
+HeightField halved(const HeightField& field)
+{
+    const int width = std::max(1, field.width() / 2), height = std::max(1, field.height() / 2);
+    std::vector<float> heights;
+    heights.reserve(std::size_t(width) * std::size_t(height));
+    for (int y = 0; y < height; ++y) {
+        const Span rows = spanOf(y, height, field.height());
+        for (int x = 0; x < width; ++x) {
+            const Span columns = spanOf(x, width, field.width());
+            float sum = 0.f, total = 0.f;
+            for (int j = rows.first; j <= rows.last; ++j)
+                for (int i = columns.first; i <= columns.last; ++i) {
+                    const float share = (j == rows.first         ? rows.firstShare
+                                                : j == rows.last ? rows.lastShare
+                                                                 : 1.f)
+                        * (i == columns.first       ? columns.firstShare
+                                : i == columns.last ? columns.lastShare
+                                                    : 1.f);
+                    sum += share * field.texel(i, j);
+                    total += share;
+                }
+            heights.push_back(std::clamp(asStored(sum / total, field.storedBits()), 0.f, 1.f));
+        }
+    }
+    return {width, height, std::move(heights), field.wrap(), field.storedBits()};
+}
+
+int shelfSize(int size, int shelf)
+{
+    return ((size - 1) >> shelf) + 1;
+}
+
+// One image with the levels from 1 on of the pyramids of all height levels.
+Image shelves(const std::vector<std::shared_ptr<const BakedMap>>& pyramids, int width, int height)
+{
+    int last = 0, longest = 1, total = 0;
+    for (std::size_t i = 0; i < pyramids.size(); ++i)
+        last = std::max(last, int(i + pyramids[i]->levels.size()) - 1);
+    std::vector<int> begin(std::size_t(last) + 2, 0);
+    for (int s = 1; s <= last; ++s) {
+        longest = std::max(longest, s * shelfSize(width, s));
+        begin[std::size_t(s)] = total;
+        total += shelfSize(height, s);
+    }
+    const Image& model = pyramids.front()->levels.front();
+    const std::size_t texel = bytesOf(model.type);
+    Image out{longest, std::max(total, 1), 1, model.type, model.storedBits, model.storedFloat, {}};
+    out.data.resize(out.texelCount() * texel);
+    for (std::size_t i = 0; i < pyramids.size(); ++i)
+        for (std::size_t l = 1; l < pyramids[i]->levels.size(); ++l) {
+            const Image& level = pyramids[i]->levels[l];
+            const int x = int(l - 1) * shelfSize(width, int(i + l));
+            for (int y = 0; y < level.height; ++y)
+                std::memcpy(out.data.data() + (std::size_t(begin[i + l] + y) * std::size_t(longest) + std::size_t(x)) * texel,
+                    level.data.data() + std::size_t(y) * std::size_t(level.width) * texel, std::size_t(level.width) * texel);
+        }
+    return out;
+}
+
+} // namespace
+
+std::vector<HeightField> heightLevels(const HeightField& field)
+{
+    std::vector<float> heights(field.texels().begin(), field.texels().end());
+    bool same = true;
+    for (float& h : heights) {
+        const float stored = asStored(h, field.storedBits());
+        same = same && stored == h;
+        h = stored;
+    }
+    std::vector<HeightField> levels;
+    levels.push_back(same ? field : HeightField(field.width(), field.height(), std::move(heights), field.wrap(), field.storedBits()));
+    while (levels.back().width() > 1 || levels.back().height() > 1)
+        levels.push_back(halved(levels.back()));
+    return levels;
+}
+
+int levelCount(const HeightField& field)
+{
+    return int(std::bit_width(unsigned(std::max(field.width(), field.height()))));
+}
+
+std::size_t SearchTexture::bytes() const
+{
+    std::size_t sum = 0;
+    for (const Image& level : levels)
+        sum += level.data.size();
+    return sum;
+}
+
+std::shared_ptr<const SearchTexture> searchTextureOf(
+    const MapRow& row, const std::vector<std::shared_ptr<const BakedMap>>& maps, const HeightField& field)
+{
+    auto texture = std::make_shared<SearchTexture>();
+    texture->slices = maps.front()->slices;
+    texture->isCodes = row.isCodes;
+    if (row.key == "pyramid")
+        texture->levels.push_back(shelves(maps, field.width(), field.height()));
+    for (const auto& map : maps) {
+        texture->scales.push_back(map->scale);
+        if (row.key != "pyramid")
+            texture->levels.push_back(map->levels.front());
+    }
+    return texture;
+}
+
+Expected<std::shared_ptr<const SearchTexture>> searchTexture(
+    std::string_view bound, const HeightField& field, const Parameters& parameters, bool allLevels, const Progress& progress)
+{
+    const MapRow& row = *findMap(bound);
+    const std::vector<HeightField> heights = allLevels ? heightLevels(field) : std::vector<HeightField>{field};
+    std::vector<std::shared_ptr<const BakedMap>> maps;
+    for (std::size_t i = 0; i < heights.size() && int(i) < kMaxHeightLevels; ++i) {
+        auto map = cachedMap(row, heights[i], parameters, i == 0 ? progress : Progress{{}, progress.stop});
+        if (!map)
+            return tl::unexpected(map.error());
+        maps.push_back(std::move(*map));
+    }
+    return searchTextureOf(row, maps, field);
+}
+
+} // namespace relievo

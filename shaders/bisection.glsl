@@ -1,0 +1,18 @@
+// Halving an interval whose start lies outside the relief and whose end lies inside.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+
+Hit bisected(Ray ray, Hit hit, float outside, float inside, int halvings)
+{
+    for (int i = 0; i < halvings; ++i) {
+        float middle = 0.5f * (outside + inside);
+        ++hit.fetches;
+        if (1.0f - heightAt(ray.uv + ray.duv * middle) <= middle)
+            inside = middle;
+        else
+            outside = middle;
+    }
+    hit.t = inside;
+    hit.uv = ray.uv + ray.duv * inside;
+    return hit;
+}

@@ -1,0 +1,14 @@
+// Bound maps of the finest level, interpolated here: the same numbers on every machine.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+vec4 boundAt(vec2 uv)
+{
+    ivec2 size = textureSize(boundMap, 0);
+    vec2 p = uv * vec2(size) - 0.5f;
+    vec2 f = p - floor(p);
+    ivec2 low = wrappedTexel(ivec2(floor(p)), size);
+    ivec2 high = wrappedTexel(ivec2(floor(p)) + 1, size);
+    vec4 top = texelFetch(boundMap, low, 0) * (1.0f - f.x) + texelFetch(boundMap, ivec2(high.x, low.y), 0) * f.x;
+    vec4 bottom = texelFetch(boundMap, ivec2(low.x, high.y), 0) * (1.0f - f.x) + texelFetch(boundMap, high, 0) * f.x;
+    return top * (1.0f - f.y) + bottom * f.y;
+}

@@ -1,0 +1,7 @@
+// What the stored values of the bound map are multiplied by, at the level that is searched.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+vec4 boundScale()
+{
+    return boundScales[searchLevel()];
+}

@@ -1,0 +1,9 @@
+// How many samples a linear search takes: more for grazing views, which cross more of the map (Policarpo, Oliveira, Comba 2005, section 3).
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+
+// Written so that equal limits give exactly that many.
+int stepsFor(Ray ray)
+{
+    return int(ceil(float(maxSteps) + float(minSteps - maxSteps) * ray.cosView));
+}

@@ -1,0 +1,68 @@
+// Cell cones: one texel a cell tells how far a ray may leap from anywhere in it, by boxes and cones of four nested nodes; a cell that
+// the ray may touch is solved exactly. Ours; definition and proof in resources/help/cell-cones.md.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "cell_solve.glsl"
+#include "walk.glsl"
+
+Hit trace(Ray ray)
+{
+    vec2 size = searchSize();
+    vec2 slope = ray.duv * size;
+    vec2 inverse = inverseOf(slope);
+    vec2 ahead = vec2(slope.x < 0.0f ? 0.0f : 1.0f, slope.y < 0.0f ? 0.0f : 1.0f);
+    float texels = max(abs(slope.x), abs(slope.y));
+    float past = 1e-5f / max(texels, 1e-3f); // a hundred-thousandth of a texel beyond a wall
+    float travel = length(ray.duv);
+    if (!(texels < 1e12f))
+        return Hit(ray.uv + ray.duv, 1.0f, false, 0);
+
+    // Codes of the texel: each channel is a node's highest point (upper byte) and the steepest rise from it (lower byte).
+    vec4 scale = boundScale(); // lowest, range, steepest, highest
+    float capUnit = scale.y / 255.0f;
+    float steepUnit = travel * scale.z / 65025.0f;
+    float lowest = 1.0f - ray.end;
+    Walk walk = walkFrom(ray, slope, size, max(1.0f - scale.w, 0.0f));
+    int fetches = 0;
+    for (int i = 0; i < 65536 && walk.z > lowest; ++i) {
+        vec2 key = clamp(walk.cell, vec2(0.0f), size - 1.0f);
+        uvec4 codes = cellCodes(ivec2(key));
+        ++fetches;
+        vec4 above = vec4(walk.z - scale.x) - vec4(codes >> 8u) * capUnit;
+        vec4 steep = vec4(codes & 255u);
+        vec4 cone = above / (1.0f + steep * steep * steepUnit);
+
+        // Where the ray leaves the nodes of 1, 4, 16 and 64 cells a side; beyond a clamped border a node goes on.
+        vec4 lowX = vec4(ivec4(int(key.x)) & ivec4(-1, -4, -16, -64));
+        vec4 lowY = vec4(ivec4(int(key.y)) & ivec4(-1, -4, -16, -64));
+        vec4 highX = min(lowX + vec4(1.0f, 4.0f, 16.0f, 64.0f), vec4(size.x));
+        vec4 highY = min(lowY + vec4(1.0f, 4.0f, 16.0f, 64.0f), vec4(size.y));
+        if (wrap == 1) {
+            lowX -= vec4(lessThanEqual(lowX, vec4(0.0f))) * 2e7f;
+            lowY -= vec4(lessThanEqual(lowY, vec4(0.0f))) * 2e7f;
+            highX += vec4(greaterThanEqual(highX, vec4(size.x))) * 2e7f;
+            highY += vec4(greaterThanEqual(highY, vec4(size.y))) * 2e7f;
+        }
+        vec4 leaveX = ((ahead.x > 0.0f ? highX : lowX) - walk.cell.x - walk.p.x) * inverse.x;
+        vec4 leaveY = ((ahead.y > 0.0f ? highY : lowY) - walk.cell.y - walk.p.y) * inverse.y;
+        vec4 leap = max(min(min(leaveX, leaveY), above), cone);
+        float best = max(max(max(leap.x, leap.y), max(leap.z, leap.w)), 0.0f);
+
+        vec2 toWall = (ahead - walk.p) * inverse;
+        float leave = max(min(toWall.x, toWall.y), 0.0f);
+        if (best < leave) { // stays in its cell: may touch it
+            Walk at = moved(walk, slope, size, 0.0f);
+            at.p = walk.p + slope * best;
+            at.z = walk.z - best;
+            ++fetches;
+            float s = cellRoot(cornersAt(walk.cell), at.p, slope, at.z, min(leave - best, max(at.z, 0.0f)));
+            if (s <= 1.0f) {
+                float t = min(1.0f - at.z + s, 1.0f);
+                return Hit(ray.uv + ray.duv * t, t, true, fetches);
+            }
+            best = leave;
+        }
+        walk = moved(walk, slope, size, best * (1.0f + 2e-7f) + past);
+    }
+    return Hit(ray.uv + ray.duv * ray.end, ray.end, ray.end >= 1.0f, fetches);
+}

@@ -1,0 +1,36 @@
+// Quad-directional cone step mapping: as cone step mapping, with a cone of its own for each of four sectors of directions.
+// Policarpo and Oliveira 2007, GPU Gems 3, chapter 18 (figure 18-1); the map is described in core/maps/cone.h. Height and cones take two
+// fetches.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "bisection.glsl"
+
+Hit trace(Ray ray)
+{
+    Hit hit = Hit(ray.uv, 0.0f, true, 0);
+    float travel = length(ray.duv);
+    bool alongU = abs(ray.duv.x) >= abs(ray.duv.y);
+    vec4 sector = alongU ? (ray.duv.x < 0.0f ? vec4(0.0f, 1.0f, 0.0f, 0.0f) : vec4(1.0f, 0.0f, 0.0f, 0.0f))
+                         : (ray.duv.y < 0.0f ? vec4(0.0f, 0.0f, 0.0f, 1.0f) : vec4(0.0f, 0.0f, 1.0f, 0.0f));
+    float scale = dot(boundScale(), sector);
+    float outside = 0.0f;
+    for (int i = 0; i < leapSteps; ++i) {
+        vec2 uv = ray.uv + ray.duv * hit.t;
+        float above = 1.0f - hit.t - heightAt(uv);
+        ++hit.fetches;
+        if (above <= 0.0f)
+            return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
+        float root = dot(boundAt(uv), sector);
+        ++hit.fetches;
+        float ratio = root * root * scale;
+        outside = hit.t;
+        hit.t += travel > 0.0f ? above * ratio / (ratio + travel) : above;
+        if (hit.t >= ray.end) {
+            hit.t = ray.end;
+            hit.found = ray.end >= 1.0f;
+            break;
+        }
+    }
+    hit.uv = ray.uv + ray.duv * hit.t;
+    return hit;
+}

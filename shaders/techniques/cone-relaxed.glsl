@@ -1,0 +1,40 @@
+// Relaxed cone stepping: cones that a ray may enter the relief in but not leave it, then bisection.
+// Policarpo and Oliveira 2007, GPU Gems 3, chapter 18, listing 18-3. As printed: a fixed number of cone steps, then halvings of all
+// the way from the surface, whether the ray is inside or not; rays that were still outside stop short and thin relief before the last
+// step can be lost. lastBracket: halve the last step only, and only when it went inside.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "bisection.glsl"
+
+Hit trace(Ray ray)
+{
+    Hit hit = Hit(ray.uv, 0.0f, true, 0);
+    float travel = length(ray.duv);
+    float outside = 0.0f;
+    for (int i = 0; i < leapSteps; ++i) {
+        vec4 bound = boundAt(ray.uv + ray.duv * hit.t);
+        ++hit.fetches;
+        float above = clamp(1.0f - hit.t - bound.x, 0.0f, 1.0f);
+        if (lastBracket && above <= 0.0f)
+            return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
+        float ratio = bound.y * bound.y * boundScale().y;
+        outside = hit.t;
+        hit.t = min(ray.end, hit.t + (travel > 0.0f ? above * ratio / (ratio + travel) : above));
+    }
+    hit.found = ray.end >= 1.0f || hit.t < ray.end;
+    hit.uv = ray.uv + ray.duv * hit.t;
+    if (lastBracket)
+        return hit;
+
+    float range = 0.5f * hit.t;
+    float t = range;
+    for (int i = 0; i < refineSteps; ++i) {
+        ++hit.fetches;
+        range *= 0.5f;
+        t += t < 1.0f - heightAt(ray.uv + ray.duv * t) ? range : -range;
+    }
+    hit.t = t;
+    hit.found = ray.end >= 1.0f || t < ray.end * 0.99f;
+    hit.uv = ray.uv + ray.duv * t;
+    return hit;
+}

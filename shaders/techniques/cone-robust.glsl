@@ -1,0 +1,43 @@
+// Robust cone step mapping: relaxed cones of 3 x 3 texels, and never less than a step to the border of the bilinear cell.
+// Ban, Valasek, Balint, Vad 2024, Robust Cone Step Mapping (EGSR). provenStep: measures the ray by |du| + |dv| instead of its length,
+// which bounds the rise of a bilinear surface between any two points whose apex cells carry the cone.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "bisection.glsl"
+
+Hit trace(Ray ray)
+{
+    Hit hit = Hit(ray.uv, 0.0f, true, 0);
+    vec2 size = searchSize();
+    vec2 slope = ray.duv * size;
+    float travel = provenStep ? abs(ray.duv.x) + abs(ray.duv.y) : length(ray.duv);
+    float outside = 0.0f;
+    for (int i = 0; i < leapSteps; ++i) {
+        vec2 uv = ray.uv + ray.duv * hit.t;
+        vec4 bound = boundAt(uv);
+        ++hit.fetches;
+        float above = 1.0f - hit.t - bound.x;
+        if (above <= 0.0f)
+            return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
+        float ratio = bound.y * bound.y * boundScale().y;
+        vec2 p = uv * size - 0.5f;
+        p = p - floor(p);
+        float toWallU = slope.x != 0.0f ? ((slope.x > 0.0f ? 1.0f : 0.0f) - p.x) / slope.x : 2.0f;
+        float toWallV = slope.y != 0.0f ? ((slope.y > 0.0f ? 1.0f : 0.0f) - p.y) / slope.y : 2.0f;
+        float step = travel > 0.0f ? above * ratio / (ratio + travel) : above;
+        outside = hit.t;
+        hit.t += max(step, min(toWallU, toWallV) + 1e-5f); // their constant, in depth
+        if (hit.t >= ray.end) {
+            hit.t = ray.end;
+            if (ray.end < 1.0f) {
+                hit.found = false;
+                break;
+            }
+            ++hit.fetches;
+            if (heightAt(ray.uv + ray.duv) >= 0.0f)
+                return bisected(ray, hit, outside, 1.0f, refineSteps);
+        }
+    }
+    hit.uv = ray.uv + ray.duv * hit.t;
+    return hit;
+}

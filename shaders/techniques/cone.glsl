@@ -1,0 +1,30 @@
+// Cone step mapping: each step goes to the border of the empty cone that stands on the relief below the ray.
+// Dummer 2006, Cone Step Mapping: An Iterative Ray-Heightfield Intersection Algorithm. Its cones know texel centres only, so a step may
+// end inside the bilinear surface; such a step is halved.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "bisection.glsl"
+
+Hit trace(Ray ray)
+{
+    Hit hit = Hit(ray.uv, 0.0f, true, 0);
+    float travel = length(ray.duv);
+    float outside = 0.0f;
+    for (int i = 0; i < leapSteps; ++i) {
+        vec4 bound = boundAt(ray.uv + ray.duv * hit.t);
+        ++hit.fetches;
+        float above = 1.0f - hit.t - bound.x;
+        if (above <= 0.0f)
+            return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
+        float ratio = bound.y * bound.y * boundScale().y;
+        outside = hit.t;
+        hit.t += travel > 0.0f ? above * ratio / (ratio + travel) : above;
+        if (hit.t >= ray.end) {
+            hit.t = ray.end;
+            hit.found = ray.end >= 1.0f;
+            break;
+        }
+    }
+    hit.uv = ray.uv + ray.duv * hit.t;
+    return hit;
+}

@@ -1,0 +1,46 @@
+// Interval mapping: linear search, then secant steps that keep the half with the change of sign.
+// Risser, Shah, Pattanaik 2007, Faster Relief Mapping Using the Secant Method, Journal of Graphics Tools 12(3).
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "secant.glsl"
+#include "steps.glsl"
+
+Hit trace(Ray ray)
+{
+    Hit hit = Hit(ray.uv + ray.duv * ray.end, ray.end, false, 1);
+    int steps = stepsFor(ray);
+    float outside = 0.0f;
+    float inside = ray.end;
+    float gapOutside = 1.0f - heightAt(ray.uv);
+    float gapInside = 0.0f;
+    for (int i = 1; i <= steps && !hit.found; ++i) {
+        float t = ray.end * (float(i) / float(steps));
+        float gap = 1.0f - t - heightAt(ray.uv + ray.duv * t);
+        ++hit.fetches;
+        if (gap <= 0.0f) {
+            hit.found = true;
+            inside = t;
+            gapInside = gap;
+        } else {
+            outside = t;
+            gapOutside = gap;
+        }
+    }
+    if (!hit.found)
+        return hit;
+    hit.t = secantOf(outside, inside, gapOutside, gapInside);
+    for (int i = 0; i < refineSteps; ++i) {
+        float gap = 1.0f - hit.t - heightAt(ray.uv + ray.duv * hit.t);
+        ++hit.fetches;
+        if (gap <= 0.0f) {
+            inside = hit.t;
+            gapInside = gap;
+        } else {
+            outside = hit.t;
+            gapOutside = gap;
+        }
+        hit.t = secantOf(outside, inside, gapOutside, gapInside);
+    }
+    hit.uv = ray.uv + ray.duv * hit.t;
+    return hit;
+}

@@ -1,0 +1,25 @@
+// Parallax occlusion mapping: linear search, then one secant step through the last two samples.
+// Tatarchuk 2006, Dynamic Parallax Occlusion Mapping with Approximate Soft Shadows.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "secant.glsl"
+#include "steps.glsl"
+
+Hit trace(Ray ray)
+{
+    int steps = stepsFor(ray);
+    // The height at the surface is read once, for the secant of the first step.
+    float gap = 1.0f - heightAt(ray.uv);
+    float outside = 0.0f;
+    for (int i = 1; i <= steps; ++i) {
+        float t = ray.end * (float(i) / float(steps));
+        float next = 1.0f - t - heightAt(ray.uv + ray.duv * t);
+        if (next <= 0.0f) {
+            float found = secantOf(outside, t, gap, next);
+            return Hit(ray.uv + ray.duv * found, found, true, i + 1);
+        }
+        outside = t;
+        gap = next;
+    }
+    return Hit(ray.uv + ray.duv * ray.end, ray.end, false, steps + 1);
+}

@@ -1,0 +1,76 @@
+// Maximum mipmaps: down the pyramid where the ray may touch a node, up again where it leaves a parent; the leaf is solved exactly.
+// Tevs, Ihrke, Seidel 2008, Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering. The finest level is the four
+// corners themselves. Levels lie on shelves of one texture (core/maps/search_texture.h), sized by rounding up.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "cell_solve.glsl"
+#include "walk.glsl"
+
+Hit trace(Ray ray)
+{
+    vec2 size = searchSize();
+    ivec2 base = boundSize();
+    vec2 slope = ray.duv * size;
+    vec2 inverse = inverseOf(slope);
+    vec2 ahead = vec2(slope.x < 0.0f ? 0.0f : 1.0f, slope.y < 0.0f ? 0.0f : 1.0f);
+    float texels = max(abs(slope.x), abs(slope.y));
+    float past = 1e-5f / max(texels, 1e-3f); // a hundred-thousandth of a texel beyond a wall
+    Hit miss = Hit(ray.uv + ray.duv * ray.end, ray.end, ray.end >= 1.0f, 0);
+    if (!(texels < 1e12f))
+        return Hit(ray.uv + ray.duv, 1.0f, false, 0);
+
+    int top = int(ceil(log2(max(size.x, size.y)) - 1e-4f));
+    int level = top;
+    int first = searchLevel();
+    int shelf = 0; // where the shelf of this level begins
+    for (int s = 1; s < first + level; ++s)
+        shelf += ((base.y - 1) >> s) + 1;
+    float lowest = 1.0f - ray.end;
+    Walk walk = walkFrom(ray, slope, size, 0.0f);
+    int fetches = 0;
+    for (int i = 0; i < 65536 && walk.z > lowest; ++i) {
+        vec2 key = clamp(walk.cell, vec2(0.0f), size - 1.0f);
+        float span = exp2(float(level));
+        vec2 node = level > 0 ? floor(key / span) : walk.cell;
+        vec2 low = node * span;
+        vec2 high = level > 0 ? min(low + span, size) : low + 1.0f;
+        vec2 place = walk.cell - low;
+        vec2 wall = (high - low) * ahead;
+        vec2 toWall = (wall - place - walk.p) * inverse;
+        if (wrap == 1 && level > 0) { // beyond a clamped border the node goes on
+            if (ahead.x > 0.0f ? high.x >= size.x : low.x <= 0.0f)
+                toWall.x = 2.0f;
+            if (ahead.y > 0.0f ? high.y >= size.y : low.y <= 0.0f)
+                toWall.y = 2.0f;
+        }
+        float leave = max(min(toWall.x, toWall.y), 0.0f);
+        ++fetches;
+        if (level > 0) {
+            int slot = ((base.x - 1) >> (first + level)) + 1;
+            float highest = boundTexel(ivec2((level - 1) * slot + int(node.x), shelf + int(node.y)));
+            if (walk.z - highest < leave) {
+                walk = moved(walk, slope, size, max(walk.z - highest, 0.0f));
+                --level;
+                if (level > 0)
+                    shelf -= ((base.y - 1) >> (first + level)) + 1;
+                continue;
+            }
+        } else {
+            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, walk.z, min(leave, walk.z));
+            if (s <= 1.0f) {
+                float t = min(1.0f - walk.z + s, 1.0f);
+                return Hit(ray.uv + ray.duv * t, t, true, fetches);
+            }
+        }
+        vec2 parent = floor(key / (2.0f * span));
+        walk = moved(walk, slope, size, leave * (1.0f + 2e-7f) + past);
+        vec2 entered = floor(clamp(walk.cell, vec2(0.0f), size - 1.0f) / (2.0f * span));
+        if (level < top && (entered.x != parent.x || entered.y != parent.y)) {
+            if (level > 0)
+                shelf += ((base.y - 1) >> (first + level)) + 1;
+            ++level;
+        }
+    }
+    miss.fetches = fetches;
+    return miss;
+}

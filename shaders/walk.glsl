@@ -1,0 +1,39 @@
+// A ray on its way over the cells of a height field. Where it is counts from the cell's corner and its height is counted down, so that
+// its place is right to a small part of a texel however many tiles it crosses: an error is one of height, far below 1e-4.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+struct Walk {
+    vec2 cell; // whole numbers; in [0, size) when the tile repeats
+    vec2 p; // in the cell, [0, 1)
+    float z; // height, 1 at the polygon
+};
+
+vec2 wrappedCell(vec2 cell, vec2 size)
+{
+    if (wrap == 1)
+        return clamp(cell, vec2(-1e7f), vec2(1e7f));
+    return clamp(cell - size * floor(cell / size), vec2(0.0f), size - 1.0f);
+}
+
+Walk moved(Walk walk, vec2 slope, vec2 size, float dt)
+{
+    vec2 at = walk.p + slope * dt;
+    vec2 cells = floor(at);
+    walk.p = at - cells;
+    walk.cell = wrappedCell(walk.cell + cells, size);
+    walk.z -= dt;
+    return walk;
+}
+
+Walk walkFrom(Ray ray, vec2 slope, vec2 size, float t)
+{
+    vec2 at = ray.uv * size - 0.5f;
+    vec2 cells = floor(at);
+    return moved(Walk(wrappedCell(cells, size), at - cells, 1.0f), slope, size, t);
+}
+
+// One over the slope; where that is 0, a wall is never reached.
+vec2 inverseOf(vec2 slope)
+{
+    return vec2(slope.x != 0.0f ? 1.0f / slope.x : 1e30f, slope.y != 0.0f ? 1.0f / slope.y : 1e30f);
+}
