@@ -12,7 +12,7 @@ vec2 wrappedCell(vec2 cell, vec2 size)
 {
     if (wrap == 1)
         return clamp(cell, vec2(-1e7f), vec2(1e7f));
-    return clamp(cell - size * floor(cell / size), vec2(0.0f), size - 1.0f);
+    return clamp(cell - size * floor((cell + 0.5f) / size), vec2(0.0f), size - 1.0f);
 }
 
 Walk moved(Walk walk, vec2 slope, vec2 size, float dt)
