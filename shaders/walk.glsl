@@ -28,6 +28,7 @@ Walk moved(Walk walk, vec2 slope, vec2 size, float dt)
 Walk walkFrom(Ray ray, vec2 slope, vec2 size, float t)
 {
     vec2 at = ray.uv * size - 0.5f;
+    at = vec2(abs(at.x) < 1e30f ? at.x : 0.0f, abs(at.y) < 1e30f ? at.y : 0.0f); // so far out that texels are no numbers any more
     vec2 cells = floor(at);
     return moved(Walk(wrappedCell(cells, size), at - cells, 1.0f), slope, size, t);
 }
