@@ -2,10 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/metrics.h"
-#include "core/trace/reference.h"
+#include "core/trace/exact_search.h"
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace relievo {
@@ -23,9 +24,9 @@ double texelsOf(const HeightField& field, const SearchRay& ray)
 }
 
 // Within what the exact answer would be on a surface a hair higher or lower.
-bool tied(const HeightField& field, const SearchRay& ray, double t)
+bool tied(const ExactSearch& search, const SearchRay& ray, double t)
 {
-    return t >= exactHit(field, ray, kTieHeight).t && t <= exactHit(field, ray, -kTieHeight).t;
+    return t >= search.hit(ray, kTieHeight).t && t <= search.hit(ray, -kTieHeight).t;
 }
 
 void countFetches(HitErrors& errors, std::vector<int>& fetches)
@@ -50,6 +51,7 @@ HitErrors compareHits(
     assert(rays.size() == hits.size() && rays.size() == exact.size());
     HitErrors errors;
     std::vector<int> fetches;
+    std::optional<ExactSearch> search; // made for the first hit in doubt
     double squares = 0., squaresTexels = 0.;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!exact[i].found)
@@ -64,7 +66,9 @@ HitErrors compareHits(
         ++errors.rays;
         errors.notFound += !hits[i].found;
         if (distance > kWrongDepth && texels > kWrongTexels) {
-            if (tied(field, rays[i], t)) {
+            if (!search)
+                search.emplace(field);
+            if (tied(*search, rays[i], t)) {
                 ++errors.ties;
                 continue;
             }

@@ -16,7 +16,7 @@ struct SearchHit {
     bool found = false;
     double t = 1.;
     glm::dvec2 uv{0.};
-    int fetches = 0; // texture reads of the search; for the reference the cells visited
+    int fetches = 0; // texture reads of the search; for the reference the cells and pyramid nodes visited
 };
 
 } // namespace relievo

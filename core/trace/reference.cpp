@@ -2,60 +2,32 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/reference.h"
+#include "core/trace/cell_root.h"
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace relievo {
 
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 bool finite(const SearchRay& ray)
 {
     return std::isfinite(ray.uv.x) && std::isfinite(ray.uv.y) && std::isfinite(ray.duv.x) && std::isfinite(ray.duv.y);
 }
 
-// f(t) = c + b t + a t^2: ray height minus surface height, with t counted from the cell's entry. The smallest root in
-// [0, length], or kNever. f(0) <= 0 means that the ray is inside already.
-double firstRoot(double a, double b, double c, double length)
-{
-    if (c <= 0.)
-        return 0.;
-    const auto inCell = [&](double t) { return t >= 0. && t <= length; };
-    const double discriminant = b * b - 4. * a * c;
-    double root = kNever;
-    if (discriminant >= 0.) {
-        const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b)); // no cancellation
-        if (q != 0. && inCell(c / q))
-            root = c / q;
-        if (a != 0. && inCell(q / a))
-            root = std::min(root, q / a);
-    }
-    if (root == kNever && c + length * (b + length * a) <= 0.)
-        return length; // the root lies within rounding of the wall
-    return root;
-}
-
 // One axis of the walk, in texels; texel centres at whole numbers.
 struct Axis {
-    double start, slope;
+    double start, slope, inverse;
     std::int64_t cell;
 
-    Axis(double uv, double duv, int size) : start(uv * size - 0.5), slope(duv * size), cell(0)
+    Axis(double uv, double duv, int size) : start(uv * size - 0.5), slope(duv * size), inverse(inverseSlope(slope)), cell(0)
     {
         // Far from the origin only the phase within the tile matters, and 64 bits hold any cell index below 2^53.
         cell = std::int64_t(std::clamp(std::floor(start), -9e15, 9e15));
         if (slope < 0. && start == std::floor(start) && cell > -9'000'000'000'000'000)
             --cell; // starts on the wall and leaves downwards
     }
-    double exit() const
-    {
-        if (slope == 0.)
-            return kNever;
-        return (double(slope > 0. ? cell + 1 : cell) - start) / slope;
-    }
+    double exit() const { return (double(slope < 0. ? cell : cell + 1) - start) * inverse; }
     double fraction(double t) const { return start - double(cell) + slope * t; }
 };
 
@@ -84,10 +56,7 @@ SearchHit exactHit(const HeightField& field, const SearchRay& ray, double raise)
         const double leave = std::max(enter, std::min({exitX, exitY, 1.}));
         const HeightField::Corners k
             = field.corners(wrapped(x.cell, field.width(), field.wrap()), wrapped(y.cell, field.height(), field.wrap()));
-        const double kx = double(k.h10) - k.h00, ky = double(k.h01) - k.h00, kxy = double(k.h11) - k.h10 - k.h01 + k.h00;
-        const double u = x.fraction(enter), v = y.fraction(enter);
-        const double root = firstRoot(-kxy * x.slope * y.slope, -1. - kx * x.slope - ky * y.slope - kxy * (u * y.slope + v * x.slope),
-            1. - enter - raise - (k.h00 + kx * u + ky * v + kxy * u * v), leave - enter);
+        const double root = cellRoot(k, x.fraction(enter), y.fraction(enter), x.slope, y.slope, 1. - enter - raise, leave - enter);
         if (root != kNever || leave >= 1.) {
             hit.found = true;
             hit.t = root == kNever ? 1. : std::min(enter + root, 1.);

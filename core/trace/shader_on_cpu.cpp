@@ -4,7 +4,7 @@
 #include "core/trace/shader_on_cpu.h"
 #include "core/maps/maps.h"
 #include "core/state/techniques.h"
-#include "core/trace/reference.h"
+#include "core/trace/exact_search.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -200,8 +200,10 @@ Expected<std::vector<SearchHit>> traceRays(
     if ((!field && listHas(row->maps, "height")) || (!maps.bound && !row->bound.empty()))
         return failure(std::string(key), "this technique needs maps that are not there", "Make them by searchMaps");
     const auto found = std::ranges::find(kSearches, row->file, &SearchRow::file);
-    const bool exact = row->key == "reference";
-    if (!exact && found == std::end(kSearches))
+    std::optional<ExactSearch> exact;
+    if (row->key == "reference")
+        exact.emplace(*field);
+    else if (found == std::end(kSearches))
         return failure(std::string(key), "this technique has no shader text", "Reinstall Relievo");
 
     std::vector<SearchHit> hits(rays.size());
@@ -210,7 +212,7 @@ Expected<std::vector<SearchHit>> traceRays(
         if (progress.cancelled())
             return;
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-            hits[i] = exact ? exactHit(*field, rays[i]) : searched(found->search, parameters, maps, rays[i]);
+            hits[i] = exact ? exact->hit(rays[i]) : searched(found->search, parameters, maps, rays[i]);
         progress.at(float(done += range.size()) / float(rays.size()));
     });
     if (progress.cancelled())

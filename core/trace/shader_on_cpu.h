@@ -27,7 +27,7 @@ struct SearchMaps {
 Expected<SearchMaps> searchMaps(
     std::string_view key, const Parameters& parameters, const HeightField* field, const Progress& progress = {});
 
-// Runs technique `key` (a row of kTechniques; "reference" is exactHit) on each ray, on all threads of TBB, on the base level.
+// Runs technique `key` (a row of kTechniques; "reference" is ExactSearch) on each ray, on all threads of TBB, on the base level.
 // A ray that is not finite gives {false, 1, (0, 0), 0} (cli.md); a miss gives uv + duv.
 // Errors: unknown technique, maps that are wanted and missing, cancelled.
 Expected<std::vector<SearchHit>> traceRays(std::string_view key, const Parameters& parameters, const SearchMaps& maps,
