@@ -19,7 +19,7 @@ Walk moved(Walk walk, vec2 slope, vec2 size, float dt)
 {
     vec2 at = walk.p + slope * dt;
     vec2 cells = floor(at);
-    walk.p = at - cells;
+    walk.p = min(at - cells, vec2(0.99999994f)); // a hair below a wall must not round up to it: the next step would go back
     walk.cell = wrappedCell(walk.cell + cells, size);
     walk.z -= dt;
     return walk;
