@@ -56,11 +56,11 @@ Hit trace(Ray ray)
                 break;
             walk = moved(walk, slope, size, best * (1.0f + 2e-7f) + past);
         }
-        if (walk.z <= lowest)
+        float z = walk.z - best;
+        if (z <= lowest)
             break;
         ++fetches;
-        float z = walk.z - best;
-        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, z, min(leave - best, max(z, 0.0f)));
+        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, z, min(leave - best, z - lowest));
         if (s <= 1.0f) {
             float t = min(1.0f - z + s, 1.0f);
             return Hit(ray.uv + ray.duv * t, t, true, fetches);

@@ -56,7 +56,7 @@ Hit trace(Ray ray)
                 continue;
             }
         } else {
-            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, walk.z, min(leave, walk.z));
+            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, walk.z, min(leave, walk.z - lowest));
             if (s <= 1.0f) {
                 float t = min(1.0f - walk.z + s, 1.0f);
                 return Hit(ray.uv + ray.duv * t, t, true, fetches);

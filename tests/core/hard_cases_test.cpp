@@ -157,6 +157,23 @@ TEST(RaySets, SpecialOnesAreWhatTheyAreCalled)
     }
 }
 
+// Rays that run along a wall so nearly that a step beyond it rounds back onto it: no search may stand still there.
+TEST(RaySets, RaysAlmostAlongAWallArriveAll)
+{
+    const HeightField field = findHardCase("noise")->make(256, 1);
+    const SearchRay rays[] = {{{0.193373919, 0.67387563}, {-0.131045178, -0.000282375928}, 0.5},
+        {{0.0333252661, 0.69795537}, {-0.00176860718, -0.846462548}, 0.1}};
+    for (const TechniqueRow& row : kTechniques) {
+        if (!row.isExact || row.file.empty())
+            continue;
+        const auto hits = *traceRays(row.key, Parameters(), &field, rays);
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_NEAR(hits[i].t, exactHit(field, rays[i]).t, 1e-4) << row.key;
+            EXPECT_LT(hits[i].fetches, 1000) << row.key;
+        }
+    }
+}
+
 // Every technique survives every special ray on every hard case, and those that are exact stay exact.
 TEST(RaySets, EveryTechniqueSurvivesThem)
 {
