@@ -200,14 +200,15 @@ void searchQuadrant(const ConeQuadrant& quadrant, Wedge wedge, const Leaf& leaf,
     const int width = quadrant.field.width(), height = quadrant.field.height();
     std::atomic<int> done = 0;
     tbb::parallel_for(tbb::blocked_range<int>(0, height, 4), [&](const tbb::blocked_range<int>& rows) {
-        ConeSearch<Leaf> search(quadrant, wedge, leaf);
-        for (int y = rows.begin(); y < rows.end(); ++y)
+        for (int y = rows.begin(); y < rows.end(); ++y) {
+            ConeSearch<Leaf> search(quadrant, wedge, leaf); // anew for each row: the same map however the rows are shared out
             for (int x = 0; x < width; ++x) {
                 if (x % 32 == 0 && progress.cancelled())
                     return;
                 const int toX = quadrant.mirrorU ? width - 1 - x : x, toY = quadrant.mirrorV ? height - 1 - y : y;
                 search.search(x, y, bounds[std::size_t(toY) * std::size_t(width) + std::size_t(toX)]);
             }
+        }
         done += rows.end() - rows.begin();
         progress.at(from + (to - from) * float(done) / float(height));
     });
