@@ -5,9 +5,9 @@
 #include "core/trace/reference.h"
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <embree3/rtcore.h>
 #include <functional>
 #include <optional>
@@ -65,11 +65,12 @@ std::vector<NamedField> fields()
     };
 }
 
+// Of processor time: others may be at work on the machine.
 double secondsOf(const std::function<void()>& work)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return double(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 double median(std::vector<double> values)
@@ -190,8 +191,9 @@ void compare(const char* name, const HeightField& field, const ExactSearch& sear
 int main()
 {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
-    std::printf("%d x %d texels, depth %g of the tile, one core, million rays a second (medians of %d rounds, interleaved)\n", kSize, kSize,
-        kDepth, kRounds);
+    std::printf(
+        "%d x %d texels, depth %g of the tile, one core, million rays a second of processor time (medians of %d rounds, interleaved)\n",
+        kSize, kSize, kDepth, kRounds);
     std::printf("field     degrees   walk    pyramid    Embree   ratio  visits  mean t of both\n");
     for (const NamedField& named : fields()) {
         std::optional<ExactSearch> search;
