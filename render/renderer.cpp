@@ -50,7 +50,8 @@ struct Renderer::Impl {
     const LinkedProgram* meshProgramFor(const ProgramFeatures& features, std::optional<Error>& error)
     {
         std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
-            + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "");
+            + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "")
+            + (features.coarser ? "/mips" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
         return programs.get(

@@ -5,6 +5,7 @@ vec4 boundAt(vec2 uv)
 {
     ivec2 size = textureSize(boundMap, 0);
     vec2 p = uv * vec2(size) - 0.5f;
+    p = vec2(abs(p.x) < 1e30f ? p.x : 0.0f, abs(p.y) < 1e30f ? p.y : 0.0f);
     vec2 f = p - floor(p);
     ivec2 low = wrappedTexel(ivec2(floor(p)), size);
     ivec2 high = wrappedTexel(ivec2(floor(p)) + 1, size);

@@ -1,4 +1,4 @@
-// The four corners of a cell of the height map, at the level that is searched.
+// The four corners of a cell of the finest level, in one gather.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 
@@ -6,12 +6,6 @@
 // another cell: (h00, h10, h01, h11), the second index running down the image.
 vec4 cornersAt(vec2 cell)
 {
-    int level = searchLevel();
-    ivec2 size = textureSize(heightMap, level);
-    if (level == 0) {
-        vec4 gathered = textureGather(heightMap, (cell + 1.0f) / vec2(size), 0);
-        return vec4(gathered.w, gathered.z, gathered.x, gathered.y);
-    }
-    // A gather reads the finest level only.
-    return cornersOf(ivec2(cell), size, level);
+    vec4 gathered = textureGather(heightMap, (cell + 1.0f) / vec2(textureSize(heightMap, 0)), 0);
+    return vec4(gathered.w, gathered.z, gathered.x, gathered.y);
 }

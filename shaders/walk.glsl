@@ -12,14 +12,14 @@ vec2 wrappedCell(vec2 cell, vec2 size)
 {
     if (wrap == 1)
         return clamp(cell, vec2(-1e7f), vec2(1e7f));
-    return clamp(cell - size * floor(cell / size), vec2(0.0f), size - 1.0f);
+    return clamp(cell - size * floor((cell + 0.5f) / size), vec2(0.0f), size - 1.0f);
 }
 
 Walk moved(Walk walk, vec2 slope, vec2 size, float dt)
 {
     vec2 at = walk.p + slope * dt;
     vec2 cells = floor(at);
-    walk.p = at - cells;
+    walk.p = min(at - cells, vec2(0.99999994f)); // a hair below a wall must not be rounded to it: that would be the next cell's
     walk.cell = wrappedCell(walk.cell + cells, size);
     walk.z -= dt;
     return walk;
@@ -28,6 +28,7 @@ Walk moved(Walk walk, vec2 slope, vec2 size, float dt)
 Walk walkFrom(Ray ray, vec2 slope, vec2 size, float t)
 {
     vec2 at = ray.uv * size - 0.5f;
+    at = vec2(abs(at.x) < 1e30f ? at.x : 0.0f, abs(at.y) < 1e30f ? at.y : 0.0f); // so far out that texels are no numbers any more
     vec2 cells = floor(at);
     return moved(Walk(wrappedCell(cells, size), at - cells, 1.0f), slope, size, t);
 }

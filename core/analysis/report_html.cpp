@@ -49,7 +49,7 @@ svg polyline{fill:none;stroke:var(--c);stroke-width:1.6;stroke-linejoin:round}sv
 svg circle,svg rect,svg path{fill:var(--c);stroke:var(--paper);stroke-width:.8}
 .scroll{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;white-space:nowrap;margin:4px 0 12px}
 th,td{padding:3px 7px;text-align:right;border-bottom:1px solid var(--line)}th{font-weight:600;color:var(--soft);vertical-align:bottom}
-th:first-child,td:first-child{text-align:left;padding-left:0;position:sticky;left:0;background:var(--paper)}
+th:first-child,td:first-child{text-align:left;white-space:normal;min-width:120px;padding-left:0;position:sticky;left:0;background:var(--paper)}
 th.band{text-align:center;border-bottom:1px solid var(--soft);color:var(--ink)}
 td.first,th.first{padding-left:20px}tr.top td{border-top:1px solid var(--soft)}td.none{background:var(--good)}
 details{border-top:1px solid var(--line)}details:last-of-type{border-bottom:1px solid var(--line)}

@@ -188,8 +188,8 @@ std::vector<float> risesOf(const Grid& grid, int level, const std::function<void
     std::vector<float> rises(std::size_t(nodes.width) * std::size_t(nodes.height));
     std::atomic<int> done = 0;
     tbb::parallel_for(tbb::blocked_range<int>(0, nodes.height), [&](const auto& rows) {
-        RiseSearch search(grid);
         for (int j = rows.begin(); j < rows.end() && !progress.cancelled(); ++j) {
+            RiseSearch search(grid); // anew for each row: the same map however the rows are shared out
             for (int i = 0; i < nodes.width; ++i)
                 rises[std::size_t(j) * std::size_t(nodes.width) + std::size_t(i)]
                     = search.rise(grid.rect(level, i, j, 0, 0), grid.cells.at(level, i, j));

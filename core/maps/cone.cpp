@@ -65,7 +65,7 @@ struct TexelLeaf {
     static constexpr bool kAsCheapAsBound = true;
     const ConeQuadrant& quadrant;
     explicit TexelLeaf(const ConeQuadrant& q) : quadrant(q) { }
-    static bool mayLimit(int, int, int, int, int) { return true; }
+    static bool mayLimit(int, int, int, const NodeExtent&) { return true; }
     float ratio(int i, int j, int x, int y, float apex) const
     {
         const float u = float(x) / float(quadrant.field.width()), v = float(y) / float(quadrant.field.height());
@@ -75,11 +75,11 @@ struct TexelLeaf {
 };
 
 // An obstacle that is the part of a cell from which rays leave. A node's tangent planes reach up to its highest point plus its steepest
-// falls times the way back to the apex: not above 1, and no ray leaves there.
+// falls times the way back to the apex: where that is not above 1, no ray leaves.
 struct CellLeaf {
     static constexpr bool kAsCheapAsBound = false;
     const ConeQuadrant& quadrant;
-    MaxLevels fallU, fallV; // steepest fall of a node, height per texel, >= 0
+    MaxLevels fallU, fallV; // steepest fall of a node, height per texel; negative where all of it rises
 
     explicit CellLeaf(const ConeQuadrant& q) : quadrant(q), fallU(makeMaxLevels(q.field.width(), q.field.height())), fallV(fallU)
     {
@@ -87,16 +87,17 @@ struct CellLeaf {
             const std::size_t row = std::size_t(y) * std::size_t(q.field.width());
             for (int x = 0; x < q.field.width(); ++x) {
                 const Corners c = q.field.corners(x, y);
-                fallU.values[row + std::size_t(x)] = std::max(0.f, std::max(c.h00 - c.h10, c.h01 - c.h11));
-                fallV.values[row + std::size_t(x)] = std::max(0.f, std::max(c.h00 - c.h01, c.h10 - c.h11));
+                fallU.values[row + std::size_t(x)] = std::max(c.h00 - c.h10, c.h01 - c.h11);
+                fallV.values[row + std::size_t(x)] = std::max(c.h00 - c.h01, c.h10 - c.h11);
             }
         });
         finishMaxLevels(fallU);
         finishMaxLevels(fallV);
     }
-    bool mayLimit(int level, int i, int j, int x, int y) const
+    bool mayLimit(int level, int i, int j, const NodeExtent& e) const
     {
-        return quadrant.items.at(level, i, j) + fallU.at(level, i, j) * float(x) + fallV.at(level, i, j) * float(y) > kConeMargin;
+        const float u = fallU.at(level, i, j), v = fallV.at(level, i, j);
+        return quadrant.items.at(level, i, j) + u * float(u > 0.f ? e.x1 + 1 : e.x0) + v * float(v > 0.f ? e.y1 + 1 : e.y0) > kConeMargin;
     }
     float ratio(int i, int j, int x, int y, float apex) const
     {

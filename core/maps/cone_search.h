@@ -46,11 +46,16 @@ inline constexpr std::array<std::array<bool, 2>, 4> kMirrors = {{{false, false},
 // Which part of the quadrant counts: all, or the half nearer to one axis (with the diagonal, in uv).
 enum class Wedge { All, AlongU, AlongV };
 
+// Near corners of the items of a node, as far as they lie in the quadrant: offsets from the apex in texels, first and last.
+struct NodeExtent {
+    int x0, x1, y0, y1;
+};
+
 // One texel's search. Leaf:
 // float ratio(int i, int j, int x, int y, float apex): the smallest ratio of item (i, j), whose near corner lies x, y texels from the
 //   apex, or up to 0.1 % less; kWidestCone when it is no obstacle;
-// bool mayLimit(int level, int i, int j, int x, int y): false when no item of the node is an obstacle for an apex from which the node
-//   ends at most x, y texels away; kAsCheapAsBound: whether ratio costs no more than the bound by distance and height.
+// bool mayLimit(int level, int i, int j, const NodeExtent&): false when no item of the node is an obstacle; kAsCheapAsBound: whether ratio
+// costs no more than the bound by distance and height.
 template <class Leaf> class ConeSearch {
 public:
     ConeSearch(const ConeQuadrant& quadrant, Wedge wedge, const Leaf& leaf)
@@ -97,18 +102,23 @@ private:
         const float u = float(x) * m_du, v = float(y) * m_dv;
         return u * u + v * v;
     }
-    bool outsideWedge(int nearX, int farX, int nearY, int farY) const
+    NodeExtent extent(const Node& node, int left, int top) const
+    {
+        const int x = left + (node.i << node.level), y = top + (node.j << node.level), size = 1 << node.level;
+        return {std::max(x, 0), std::min(x + size, left + m_width) - 1, std::max(y, 0), std::min(y + size, top + m_height) - 1};
+    }
+    bool outsideWedge(const NodeExtent& e) const
     {
         if (m_wedge == Wedge::All)
             return false;
-        return m_wedge == Wedge::AlongU ? std::int64_t(farX) * m_height < std::int64_t(nearY) * m_width
-                                        : std::int64_t(farY) * m_width < std::int64_t(nearX) * m_height;
+        return m_wedge == Wedge::AlongU ? std::int64_t(e.x1) * m_height < std::int64_t(e.y0) * m_width
+                                        : std::int64_t(e.y1) * m_width < std::int64_t(e.x0) * m_height;
     }
 
     void tryLast(ConeBounds& bounds)
     {
         const int x = m_lastX - m_x, y = m_lastY - m_y;
-        if (m_hasLast && x >= 0 && y >= 0 && !outsideWedge(x, x, y, y))
+        if (m_hasLast && x >= 0 && y >= 0 && !outsideWedge({x, x, y, y}))
             leaf(m_lastX % m_width, m_lastY % m_height, x, y, bounds);
     }
 
@@ -154,13 +164,11 @@ private:
         const float reach = m_quadrant.items.at(node.level, node.i, node.j) - m_apex;
         if (!(reach > 0.f))
             return false;
-        const int x0 = left + (node.i << node.level), y0 = top + (node.j << node.level);
-        const int x1 = std::min(x0 + (1 << node.level), left + m_width) - 1, y1 = std::min(y0 + (1 << node.level), top + m_height) - 1;
-        if (x1 < 0 || y1 < 0)
+        const NodeExtent e = extent(node, left, top);
+        if (e.x1 < 0 || e.y1 < 0)
             return false;
-        const int x = std::max(x0, 0), y = std::max(y0, 0);
-        const float distance = squaredDistance(x, y), limit = bounds.safe * reach;
-        if (distance >= limit * limit || outsideWedge(x, x1, y, y1) || !m_leaf.mayLimit(node.level, node.i, node.j, x1 + 1, y1 + 1))
+        const float distance = squaredDistance(e.x0, e.y0), limit = bounds.safe * reach;
+        if (distance >= limit * limit || outsideWedge(e) || !m_leaf.mayLimit(node.level, node.i, node.j, e))
             return false;
         const float kept = kConeKeep * bounds.reached * reach;
         if (distance >= kept * kept && (node.level > 0 || !Leaf::kAsCheapAsBound)) {
@@ -169,7 +177,7 @@ private:
         }
         if (node.level > 0)
             return true;
-        leaf(node.i, node.j, x, y, bounds);
+        leaf(node.i, node.j, e.x0, e.y0, bounds);
         return false;
     }
 
@@ -192,14 +200,15 @@ void searchQuadrant(const ConeQuadrant& quadrant, Wedge wedge, const Leaf& leaf,
     const int width = quadrant.field.width(), height = quadrant.field.height();
     std::atomic<int> done = 0;
     tbb::parallel_for(tbb::blocked_range<int>(0, height, 4), [&](const tbb::blocked_range<int>& rows) {
-        ConeSearch<Leaf> search(quadrant, wedge, leaf);
-        for (int y = rows.begin(); y < rows.end(); ++y)
+        for (int y = rows.begin(); y < rows.end(); ++y) {
+            ConeSearch<Leaf> search(quadrant, wedge, leaf); // anew for each row: the same map however the rows are shared out
             for (int x = 0; x < width; ++x) {
                 if (x % 32 == 0 && progress.cancelled())
                     return;
                 const int toX = quadrant.mirrorU ? width - 1 - x : x, toY = quadrant.mirrorV ? height - 1 - y : y;
                 search.search(x, y, bounds[std::size_t(toY) * std::size_t(width) + std::size_t(toX)]);
             }
+        }
         done += rows.end() - rows.begin();
         progress.at(from + (to - from) * float(done) / float(height));
     });

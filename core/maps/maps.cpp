@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/maps/maps.h"
+#include "core/maps/map_cache.h"
 #include "core/maps/normal.h"
 #include <algorithm>
 #include <cmath>
@@ -21,10 +22,11 @@ const MapRow* findMap(std::string_view key)
     return found == kMaps.end() ? nullptr : &*found;
 }
 
-Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+namespace {
+template <class Bake> Expected<BakedMap> baked(const MapRow& row, const Progress& progress, Bake bake)
 {
     try {
-        BakedMap map = row.bake(field, parameters, progress);
+        BakedMap map = bake();
         if (progress.cancelled())
             return failure(std::string(row.key), "cancelled");
         return map;
@@ -32,14 +34,41 @@ Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Pa
         return failure(std::string(row.key), "there is not enough memory to bake this map", "Use a smaller height map");
     }
 }
+} // namespace
+
+Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+{
+    if (!row.bake)
+        return failure(std::string(row.key), "this map is made from a normal map, not from a height map", "Add a normal map");
+    return baked(row, progress, [&] { return row.bake(field, parameters, progress); });
+}
+
+Expected<BakedMap> bakeMapFromNormals(const MapRow& row, const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress)
+{
+    if (!row.bakeFromNormals)
+        return failure(std::string(row.key), "this map is made from a height map, not from a normal map", "Add a height map");
+    return baked(row, progress, [&] { return row.bakeFromNormals(normals, wrap, depthInTiles, progress); });
+}
 
 Expected<std::shared_ptr<const BakedMap>> cachedMap(
     const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
-    const auto baked = bakeMap(row, field, parameters, progress);
-    if (!baked)
-        return tl::unexpected(baked.error());
-    return std::make_shared<const BakedMap>(storedMap(row, *baked, row.bits));
+    const std::string key = mapKey(row, field, parameters);
+    if (auto kept = mapInMemory(key))
+        return kept;
+    const auto folder = cacheFolder();
+    auto read = folder ? mapOnDisk(*folder, key) : std::nullopt;
+    if (!read) {
+        const auto made = bakeMap(row, field, parameters, progress);
+        if (!made)
+            return tl::unexpected(made.error());
+        read = storedMap(row, *made, row.bits);
+        if (folder)
+            keepOnDisk(*folder, key, *read);
+    }
+    auto map = std::make_shared<const BakedMap>(std::move(*read));
+    keepInMemory(key, map);
+    return map;
 }
 
 Image withBits(const Image& image, int bits)

@@ -8,7 +8,10 @@
 #include "core/maps/baked_map.h"
 #include "core/maps/cell_cones.h"
 #include "core/maps/cone.h"
+#include "core/maps/curvature.h"
 #include "core/maps/distance.h"
+#include "core/maps/height_from_normal.h"
+#include "core/maps/horizon.h"
 #include "core/maps/pyramid.h"
 #include "core/progress.h"
 #include "core/state/parameters.h"
@@ -29,6 +32,8 @@ struct MapRow {
     std::string_view parameters; // rows of kParameters that the result depends on, separated by spaces
     BakedMap (*bake)(const HeightField& field, const Parameters& parameters, const Progress& progress); // F32 values, scale 1
     std::string_view help;
+    // Of a map that is made from a normal map instead (then `bake` is null); also tells the depth that the heights stand for, in tiles.
+    BakedMap (*bakeFromNormals)(const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress) = nullptr;
 };
 
 BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress);
@@ -40,6 +45,19 @@ inline constexpr std::array<ChannelRule, 4> kFourRatios = {kRatio, kRatio, kRati
 inline constexpr auto kMaps = std::to_array<MapRow>({
     {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, false, "depth normalStrength", bakeNormal,
         "Tangent-space normals of the height map at the State's depth, OpenGL style."},
+    {"height-from-normal", "Height from normals", "height", 1, {}, 16, 1, false, "", nullptr,
+        "The height map whose slopes are nearest to the normal map's, for sets without one; also tells the depth that it needs.",
+        bakeHeightFromNormals},
+    {"ao", "Ambient occlusion", "share of the sky", 1, {}, 16, 1, false, "depth", bakeAo,
+        "Cosine-weighted share of the sky that the relief leaves open at the State's depth; 1 is open."},
+    {"horizon", "Horizons, 8 azimuths", "sine of the elevation", 4, {}, 8, 1, false, "depth", bakeHorizon8,
+        "How high the relief stands around each texel at the State's depth, in 8 directions from +u towards +v: four in the channels of "
+        "the "
+        "upper image, four in the one below it."},
+    {"horizon-16", "Horizons, 16 azimuths", "sine of the elevation", 4, {}, 8, 1, false, "depth", bakeHorizon16,
+        "As horizon, in 16 directions: four images one below the other."},
+    {"curvature", "Curvature", "1/2 + H / (2 |H| + 32), H in 1/tile", 1, {}, 16, 1, false, "depth", bakeCurvature,
+        "Mean curvature H of the relief at the State's depth: 0.5 is flat, brighter bulges out."},
     {"pyramid", "Maximum pyramid", "height", 1, {ChannelRule{Rounding::Up}}, 16, 1, false, "", bakePyramid,
         "Highest point of the surface above each cell between texel centres, then of 2 x 2, up to one texel (Tevs 2008)."},
     {"cone", "Cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, false, "", bakeCone,
@@ -61,8 +79,13 @@ inline constexpr auto kMaps = std::to_array<MapRow>({
 
 const MapRow* findMap(std::string_view key); // nullptr when unknown
 
-// The row's map of a field, as floats. Cancelled: error with what == "cancelled". Out of memory: an error that says so.
+// The row's map of a field, as floats. Cancelled: error with what == "cancelled". Out of memory: an error that says so; a row that is
+// made from normals: an error.
 Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress = {});
+
+// The same for a row that is made from a normal map (3 channels, OpenGL style); others are an error.
+Expected<BakedMap> bakeMapFromNormals(
+    const MapRow& row, const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress = {});
 
 // The map in `bits` a channel (8, 16 or 32 for float), each channel rounded and encoded by the row's rule; `map` holds floats >= 0.
 // Integers: a channel of roots, or one that exceeds 1, is scaled so that its largest value is the highest code. With Rounding::Down

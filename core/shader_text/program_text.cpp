@@ -210,13 +210,13 @@ std::string_view normalsFile(const std::set<MapKind>& maps)
 constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"};
 
 // The technique and what it reads the maps by, for pictures.
-void searchFiles(Assembly& part, const TechniqueRow& technique, bool readsCorners)
+void searchFiles(Assembly& part, const TechniqueRow& technique, bool readsCorners, bool coarser)
 {
     part.file(listHas(technique.maps, "height") ? "heights_filtered.glsl" : "heights_none.glsl");
     if (technique.isExact || readsCorners) {
         if (!listHas(technique.maps, "height"))
             part.file("level_base.glsl");
-        part.file("heights_texels.glsl").file("heights_corners.glsl");
+        part.file("wrapped_texel.glsl").file(coarser ? "heights_corners_texels.glsl" : "heights_corners.glsl");
     }
     if (!technique.bound.empty())
         part.file(technique.isExact ? "bounds_texels.glsl" : "bounds_scale.glsl");
@@ -259,7 +259,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
 
     Assembly part(read);
     part.file("contract.glsl").file("surface.glsl").generated(mapFunctions(features.maps, drafted->text));
-    searchFiles(part, *technique, features.view == "error");
+    searchFiles(part, *technique, features.view == "error", features.coarser);
     body(part);
     if (view->isHeat)
         part.file("heat.glsl")
@@ -289,6 +289,7 @@ ProgramFeatures programFeatures(
     ProgramFeatures features{std::string(technique), std::string(view), maps, 0, false, false, linear};
     const TechniqueRow* row = findTechnique(technique);
     const bool lit = view == "shaded";
+    features.coarser = row && row->isExact && parameters.heightMips;
     features.shading = lit ? parameters.shading : 0;
     features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
     features.shadows = (lit || view == "shadow") && parameters.shadows && row && row->searches;
@@ -325,8 +326,8 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
     fragment.file("contract.glsl");
     if (listHas(row->maps, "height"))
         fragment.file("level_base.glsl")
-            .file("heights_texels.glsl")
-            .file(dialect == Dialect::Desktop ? "heights_corners.glsl" : "heights_corners_es.glsl")
+            .file("wrapped_texel.glsl")
+            .file(dialect == Dialect::Desktop ? "heights_corners.glsl" : "heights_corners_texels.glsl")
             .file("heights_exact.glsl");
     if (!row->bound.empty())
         fragment.file(row->isExact ? "bounds_texels.glsl" : "bounds_scale.glsl");

@@ -23,6 +23,7 @@ struct ProgramFeatures {
     bool shadows = false; // self-shadows wanted (a technique that does not search has none)
     bool softShadows = false; // and by a light with a size
     bool linear = false; // Target::linear
+    bool coarser = false; // an exact technique reads mip levels
     auto operator<=>(const ProgramFeatures&) const = default;
 };
 // The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.

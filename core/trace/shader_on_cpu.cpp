@@ -85,7 +85,8 @@ private:
         vec2 f;
         Bilinear(vec2 uv, ivec2 size, Wrap wrap)
         {
-            const vec2 p = uv * vec2(size) - 0.5f;
+            vec2 p = uv * vec2(size) - 0.5f;
+            p = vec2(abs(p.x) < 1e30f ? p.x : 0.f, abs(p.y) < 1e30f ? p.y : 0.f);
             const vec2 whole = floor(p);
             f = p - whole;
             const auto index = [&](float at, int n) { return wrapIndex(int(clamp(at, -1e9f, 1e9f)), n, wrap); };

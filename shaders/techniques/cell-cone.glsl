@@ -21,48 +21,51 @@ Hit trace(Ray ray)
     vec4 scale = boundScale(); // lowest, range, steepest, highest
     float capUnit = scale.y / 255.0f;
     float steepUnit = travel * scale.z / 65025.0f;
+    // The nodes have 1, 4, 16 and 64 cells a side; their walls ahead lie this far from their low corners.
+    vec4 spanX = vec4(1.0f, 4.0f, 16.0f, 64.0f) * ahead.x;
+    vec4 spanY = vec4(1.0f, 4.0f, 16.0f, 64.0f) * ahead.y;
+    vec2 border = size * ahead;
+    float beyond = wrap == 1 ? 2.0f : 0.0f; // beyond a clamped border a node goes on
     float lowest = 1.0f - ray.end;
     Walk walk = walkFrom(ray, slope, size, max(1.0f - scale.w, 0.0f));
     int fetches = 0;
-    for (int i = 0; i < 65536 && walk.z > lowest; ++i) {
-        vec2 key = clamp(walk.cell, vec2(0.0f), size - 1.0f);
-        uvec4 codes = cellCodes(ivec2(key));
-        ++fetches;
-        vec4 above = vec4(walk.z - scale.x) - vec4(codes >> 8u) * capUnit;
-        vec4 steep = vec4(codes & 255u);
-        vec4 cone = above / (1.0f + steep * steep * steepUnit);
-
-        // Where the ray leaves the nodes of 1, 4, 16 and 64 cells a side; beyond a clamped border a node goes on.
-        vec4 lowX = vec4(ivec4(int(key.x)) & ivec4(-1, -4, -16, -64));
-        vec4 lowY = vec4(ivec4(int(key.y)) & ivec4(-1, -4, -16, -64));
-        vec4 highX = min(lowX + vec4(1.0f, 4.0f, 16.0f, 64.0f), vec4(size.x));
-        vec4 highY = min(lowY + vec4(1.0f, 4.0f, 16.0f, 64.0f), vec4(size.y));
-        if (wrap == 1) {
-            lowX -= vec4(lessThanEqual(lowX, vec4(0.0f))) * 2e7f;
-            lowY -= vec4(lessThanEqual(lowY, vec4(0.0f))) * 2e7f;
-            highX += vec4(greaterThanEqual(highX, vec4(size.x))) * 2e7f;
-            highY += vec4(greaterThanEqual(highY, vec4(size.y))) * 2e7f;
-        }
-        vec4 leaveX = ((ahead.x > 0.0f ? highX : lowX) - walk.cell.x - walk.p.x) * inverse.x;
-        vec4 leaveY = ((ahead.y > 0.0f ? highY : lowY) - walk.cell.y - walk.p.y) * inverse.y;
-        vec4 leap = max(min(min(leaveX, leaveY), above), cone);
-        float best = max(max(max(leap.x, leap.y), max(leap.z, leap.w)), 0.0f);
-
-        vec2 toWall = (ahead - walk.p) * inverse;
-        float leave = max(min(toWall.x, toWall.y), 0.0f);
-        if (best < leave) { // stays in its cell: may touch it
-            Walk at = moved(walk, slope, size, 0.0f);
-            at.p = walk.p + slope * best;
-            at.z = walk.z - best;
+    int i = 0;
+    while (i < 65536 && walk.z > lowest) {
+        float best = 0.0f;
+        float leave = 0.0f;
+        // Leaps, until the ray stays in its cell and may touch it. Apart from the solving below, because machines that run many rays
+        // in step pay for both.
+        while (i < 65536 && walk.z > lowest) {
+            ivec2 key = ivec2(clamp(walk.cell, vec2(0.0f), size - 1.0f));
+            uvec4 codes = cellCodes(key);
             ++fetches;
-            float s = cellRoot(cornersAt(walk.cell), at.p, slope, at.z, min(leave - best, max(at.z, 0.0f)));
-            if (s <= 1.0f) {
-                float t = min(1.0f - at.z + s, 1.0f);
-                return Hit(ray.uv + ray.duv * t, t, true, fetches);
-            }
-            best = leave;
+            vec4 above = vec4(walk.z - scale.x) - vec4(codes >> 8u) * capUnit;
+            vec4 steep = vec4(codes & 255u);
+            vec4 cone = above / (1.0f + steep * steep * steepUnit);
+            vec4 wallX = min(vec4(ivec4(key.x) & ivec4(-1, -4, -16, -64)) + spanX, vec4(size.x));
+            vec4 wallY = min(vec4(ivec4(key.y) & ivec4(-1, -4, -16, -64)) + spanY, vec4(size.y));
+            vec4 leaveX = (wallX - walk.cell.x - walk.p.x) * inverse.x + vec4(equal(wallX, vec4(border.x))) * beyond;
+            vec4 leaveY = (wallY - walk.cell.y - walk.p.y) * inverse.y + vec4(equal(wallY, vec4(border.y))) * beyond;
+            vec4 leap = max(min(min(leaveX, leaveY), above), cone);
+            best = max(max(max(leap.x, leap.y), max(leap.z, leap.w)), 0.0f);
+
+            vec2 toWall = (ahead - walk.p) * inverse;
+            leave = max(min(toWall.x, toWall.y), 0.0f);
+            ++i;
+            if (best < leave)
+                break;
+            walk = moved(walk, slope, size, best * (1.0f + 2e-7f) + past);
         }
-        walk = moved(walk, slope, size, best * (1.0f + 2e-7f) + past);
+        float z = walk.z - best;
+        if (z <= lowest)
+            break;
+        ++fetches;
+        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, z, min(leave - best, z - lowest));
+        if (s <= 1.0f) {
+            float t = min(1.0f - z + s, 1.0f);
+            return Hit(ray.uv + ray.duv * t, t, true, fetches);
+        }
+        walk = moved(walk, slope, size, leave * (1.0f + 2e-7f) + past);
     }
     return Hit(ray.uv + ray.duv * ray.end, ray.end, ray.end >= 1.0f, fetches);
 }

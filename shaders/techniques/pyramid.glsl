@@ -30,7 +30,7 @@ Hit trace(Ray ray)
     int fetches = 0;
     for (int i = 0; i < 65536 && walk.z > lowest; ++i) {
         vec2 key = clamp(walk.cell, vec2(0.0f), size - 1.0f);
-        float span = exp2(float(level));
+        float span = float(1 << level);
         vec2 node = level > 0 ? floor(key / span) : walk.cell;
         vec2 low = node * span;
         vec2 high = level > 0 ? min(low + span, size) : low + 1.0f;
@@ -56,7 +56,7 @@ Hit trace(Ray ray)
                 continue;
             }
         } else {
-            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, walk.z, min(leave, walk.z));
+            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, walk.z, min(leave, walk.z - lowest));
             if (s <= 1.0f) {
                 float t = min(1.0f - walk.z + s, 1.0f);
                 return Hit(ray.uv + ray.duv * t, t, true, fetches);

@@ -204,7 +204,7 @@ TEST(RelaxedCone, CellAgreesWithSampledExitPoints)
         const double ratio = relaxedRatio(cell, apex);
         ASSERT_LE(ratio, sampled * (1 + 1e-9)) << trial;
         if (sampled < kCap) {
-            ASSERT_GE(ratio, sampled * 0.8) << trial; // samples lie 1 / 200 texel apart: a thin region of exits shows few of them
+            ASSERT_GE(ratio, sampled * 0.7) << trial; // samples lie 1 / 200 texel apart: a thin region of exits shows few of them
             near += ratio > sampled * 0.98;
             ++limited;
         }

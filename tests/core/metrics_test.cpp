@@ -237,6 +237,32 @@ TEST(Flip, SmallDifferenceOfGreysByHand)
     EXPECT_NEAR(meanFlip(plain(119, 119, 119), plain(120, 120, 120)), wanted, 0.002);
 }
 
+// Four pixels beside an edge that the reference lacks, the blurred colours no longer know of it but the feature detectors do: the
+// difference is that far from the edge, raised to 1 - feature (sections 4.3 and 4.4).
+TEST(Flip, FeaturesByHand)
+{
+    const Image edge = picture(80, 40, [](int x, int) { return x < 40 ? std::array{60, 60, 60} : std::array{120, 120, 120}; });
+    const std::vector<float> map = Flip(picture(80, 40, [](int, int) { return std::array{110, 110, 110}; })).map(edge);
+    const double deviation = 0.5 * 0.082 * kPixelsPerDegree, square = deviation * deviation;
+    const int radius = int(std::ceil(3. * deviation));
+    double edgeBeyond = 0., edgeAll = 0., pointBeyond = 0., pointPositive = 0., pointNegative = 0.;
+    for (int x = -radius; x <= radius; ++x) {
+        const double gauss = std::exp(-x * x / (2. * square)), point = (x * x / square - 1.) * gauss;
+        edgeAll += x < 0 ? -x * gauss : 0.;
+        edgeBeyond += x < -4 ? -x * gauss : 0.;
+        (point > 0. ? pointPositive : pointNegative) += point;
+    }
+    for (int x = -radius; x < -4; ++x) {
+        const double point = (x * x / square - 1.) * std::exp(-x * x / (2. * square));
+        pointBeyond += point / (point > 0. ? pointPositive : -pointNegative);
+    }
+    const auto luminance = [](double srgb) { return std::pow((srgb / 255. + 0.055) / 1.055, 2.4); };
+    const double step = luminance(120) - luminance(60), strongest = step * std::max(edgeBeyond / edgeAll, std::abs(pointBeyond));
+    const double feature = std::sqrt(strongest / std::sqrt(2.)), far = double(map[20 * 80 + 70]);
+    EXPECT_GT(feature, 0.1);
+    EXPECT_NEAR(double(map[20 * 80 + 44]), std::pow(far, 1. - feature), 0.003);
+}
+
 TEST(Flip, GrowsWithTheDifference)
 {
     double last = 0.;

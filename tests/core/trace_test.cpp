@@ -165,7 +165,8 @@ TEST(Techniques, EveryRowWithAFileRunsOnTheCpu)
         ASSERT_TRUE(hits) << row.key;
         const double wanted = row.maps.empty() ? 0. : 0.75;
         EXPECT_TRUE(hits->front().found);
-        EXPECT_NEAR(hits->front().t, wanted, 1e-3) << row.key;
+        // Most papers' searches are right to a step of theirs only (1/32 of the depth here).
+        EXPECT_NEAR(hits->front().t, wanted, row.isExact ? 1e-6 : 1. / 32.) << row.key;
     }
 }
 
@@ -279,7 +280,7 @@ TEST(Techniques, NothingButFiniteHitsForAnyFiniteRay)
             const auto hits = *traceRays(row.key, Parameters(), &field, rays);
             for (const SearchHit& hit : hits) {
                 EXPECT_TRUE(hit.t >= 0. && hit.t <= 1.) << row.key;
-                EXPECT_LE(hit.fetches, 64) << row.key;
+                EXPECT_LE(hit.fetches, row.isExact ? 2 * 65536 : 64) << row.key; // exact searches cross every cell if they must
             }
         }
 }

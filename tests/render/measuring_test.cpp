@@ -97,6 +97,31 @@ TEST(PictureErrors, ExactTechniquesHaveNone)
     }
 }
 
+// A shadow ray ends just above the point it is sent to; a search that looks on finds that point and darkens everything.
+TEST(Shadows, OfExactTechniquesAreThoseOfManySteps)
+{
+    Bench bench("sample:cobblestones@128");
+    const auto lit = [&](std::string technique) {
+        State view = bench.with(technique.c_str(), 60.);
+        view.parameters.shadows = true;
+        view.parameters.shadowBias = 0.002f;
+        view.parameters.minSteps = view.parameters.maxSteps = 512;
+        view.parameters.refineSteps = 16;
+        const auto shadow = drawPicture(bench.renderer, view, 0, bench.resources, "shadow", 80, 60, 1, true);
+        double sum = 0.;
+        for (int i = 0; i < 80 * 60; ++i)
+            sum += double(shadow->value(i % 80, i / 80, 0)) / (80. * 60.);
+        return sum;
+    };
+    const double wanted = lit("relief");
+    EXPECT_GT(wanted, 0.3);
+    EXPECT_LT(wanted, 0.97);
+    for (const TechniqueRow& row : kTechniques)
+        if (row.isExact && !row.file.empty()) {
+            EXPECT_NEAR(lit(std::string(row.key)), wanted, 0.03) << row.key;
+        }
+}
+
 TEST(PictureErrors, NeedsAHeightMap)
 {
     Bench bench("hard:low@8");

@@ -1,0 +1,254 @@
+// The cache of baked maps.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/maps/map_cache.h"
+#include "core/file.h"
+#include "core/maps/maps.h"
+#include "core/state/techniques.h"
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <list>
+#include <mutex>
+#include <xxhash.h>
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string hexHash(std::span<const std::byte> bytes)
+{
+    XXH128_canonical_t canonical;
+    XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes.data(), bytes.size()));
+    std::string text;
+    for (const unsigned char digit : canonical.digest) {
+        text += "0123456789abcdef"[digit >> 4];
+        text += "0123456789abcdef"[digit & 15];
+    }
+    return text;
+}
+
+struct Kept {
+    std::string key;
+    std::shared_ptr<const BakedMap> map;
+};
+struct Memory {
+    std::mutex mutex;
+    std::list<Kept> maps; // the one used last in front
+};
+Memory& memory()
+{
+    static Memory one;
+    return one;
+}
+
+// File: kMagic, head, key, level heads, level data, checksum of all before. In the machine's byte order: the cache stays on it.
+constexpr char kMagic[8] = {'R', 'L', 'V', 'M', 'A', 'P', '0', '1'};
+struct Head {
+    std::uint32_t keyBytes = 0, levels = 0;
+    std::int32_t slices = 0;
+    float scale[4] = {};
+};
+struct LevelHead {
+    std::int32_t width = 0, height = 0, channels = 0, type = 0, storedBits = 0, storedFloat = 0;
+};
+
+template <class T> void append(std::vector<std::byte>& out, const T* data, std::size_t count)
+{
+    const auto bytes = std::as_bytes(std::span(data, count));
+    out.insert(out.end(), bytes.begin(), bytes.end());
+}
+
+// Reads from the front; false when too little is left.
+struct Reader {
+    std::span<const std::byte> left;
+    bool take(void* to, std::size_t size)
+    {
+        if (size > left.size())
+            return false;
+        std::memcpy(to, left.data(), size);
+        left = left.subspan(size);
+        return true;
+    }
+};
+
+bool readLevel(Reader& heads, Reader& data, Image& image)
+{
+    LevelHead head;
+    if (!heads.take(&head, sizeof head) || head.width < 1 || head.height < 1 || head.channels < 1 || head.channels > 4 || head.type < 0
+        || head.type > int(PixelType::F32))
+        return false;
+    image = {head.width, head.height, head.channels, PixelType(head.type), head.storedBits, head.storedFloat != 0, {}};
+    const std::size_t texelBytes = std::size_t(head.channels) * bytesOf(image.type);
+    if (image.texelCount() > data.left.size() / texelBytes)
+        return false;
+    image.data.resize(image.texelCount() * texelBytes);
+    return data.take(image.data.data(), image.data.size());
+}
+
+fs::path fileOf(const fs::path& folder, const std::string& key)
+{
+    return folder / (hexHash(std::as_bytes(std::span(key))) + ".map");
+}
+
+void trim(const fs::path& folder, std::uintmax_t limit)
+{
+    struct File {
+        fs::path path;
+        fs::file_time_type used;
+        std::uintmax_t size;
+    };
+    std::vector<File> files;
+    std::uintmax_t sum = 0;
+    std::error_code code;
+    for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
+        std::error_code gone; // another program may remove files meanwhile
+        const File file{at->path(), at->last_write_time(gone), at->file_size(gone)};
+        if (gone || file.path.filename().string().find(".map") == std::string::npos)
+            continue;
+        files.push_back(file);
+        sum += file.size;
+    }
+    std::ranges::sort(files, {}, &File::used);
+    for (const File& file : files) {
+        if (sum <= limit)
+            break;
+        fs::remove(file.path, code);
+        sum -= file.size;
+    }
+}
+
+} // namespace
+
+std::string mapKey(const MapRow& row, const HeightField& field, const Parameters& parameters)
+{
+    std::string key = std::string(row.key) + " version " + std::to_string(row.version) + " bits " + std::to_string(row.bits) + " size "
+        + std::to_string(field.width()) + 'x' + std::to_string(field.height()) + (field.wrap() == Wrap::Repeat ? " repeat " : " clamp ")
+        + hexHash(std::as_bytes(field.texels()));
+    for (const ParameterRow& parameter : kParameters)
+        if (listHas(row.parameters, parameter.key))
+            key += ' ' + std::string(parameter.key) + '=' + toText(parameter, get(parameters, parameter));
+    return key;
+}
+
+std::shared_ptr<const BakedMap> mapInMemory(const std::string& key)
+{
+    const std::lock_guard lock(memory().mutex);
+    std::list<Kept>& maps = memory().maps;
+    const auto found = std::ranges::find(maps, key, &Kept::key);
+    if (found == maps.end())
+        return nullptr;
+    maps.splice(maps.begin(), maps, found);
+    return found->map;
+}
+
+void keepInMemory(const std::string& key, std::shared_ptr<const BakedMap> map)
+{
+    const std::lock_guard lock(memory().mutex);
+    std::list<Kept>& maps = memory().maps;
+    std::erase_if(maps, [&](const Kept& kept) { return kept.key == key; });
+    maps.push_front({key, std::move(map)});
+    std::size_t bytes = 0, count = 0;
+    std::erase_if(maps, [&](const Kept& kept) {
+        if (count == kMemoryMaps || bytes + kept.map->bytes() > kMemoryBytes)
+            return true;
+        bytes += kept.map->bytes();
+        ++count;
+        return false;
+    });
+}
+
+void forgetMapsInMemory()
+{
+    const std::lock_guard lock(memory().mutex);
+    memory().maps.clear();
+}
+
+std::optional<fs::path> cacheFolder()
+{
+    const auto named = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        return std::string(value ? value : "");
+    };
+    if (const std::string folder = named("RELIEVO_CACHE"); !folder.empty())
+        return folder == "off" ? std::nullopt : std::optional(fs::path(folder));
+    if (const std::string folder = named("XDG_CACHE_HOME"); !folder.empty())
+        return fs::path(folder) / "relievo";
+    if (const std::string folder = named("HOME"); !folder.empty())
+        return fs::path(folder) / ".cache" / "relievo";
+    return std::nullopt;
+}
+
+std::optional<BakedMap> mapOnDisk(const fs::path& folder, const std::string& key)
+{
+    const fs::path file = fileOf(folder, key);
+    const auto bytes = readBytes(file);
+    if (!bytes)
+        return std::nullopt;
+    auto map = unpackedMap(key, *bytes);
+    std::error_code code;
+    if (map)
+        fs::last_write_time(file, fs::file_time_type::clock::now(), code); // used just now
+    return map;
+}
+
+void keepOnDisk(const fs::path& folder, const std::string& key, const BakedMap& map, std::uintmax_t limit)
+{
+    std::error_code code;
+    fs::create_directories(folder, code);
+    if (map.bytes() > limit || !writeAtomically(fileOf(folder, key), packedMap(key, map)))
+        return;
+    trim(folder, limit);
+}
+
+std::vector<std::byte> packedMap(const std::string& key, const BakedMap& map)
+{
+    std::vector<std::byte> out;
+    out.reserve(map.bytes() + key.size() + 64 + map.levels.size() * sizeof(LevelHead));
+    append(out, kMagic, sizeof kMagic);
+    const Head head{
+        std::uint32_t(key.size()), std::uint32_t(map.levels.size()), map.slices, {map.scale[0], map.scale[1], map.scale[2], map.scale[3]}};
+    append(out, &head, 1);
+    append(out, key.data(), key.size());
+    for (const Image& level : map.levels) {
+        const LevelHead levelHead{level.width, level.height, level.channels, int(level.type), level.storedBits, level.storedFloat};
+        append(out, &levelHead, 1);
+    }
+    for (const Image& level : map.levels)
+        append(out, level.data.data(), level.data.size());
+    const std::uint64_t checksum = XXH3_64bits(out.data(), out.size());
+    append(out, &checksum, 1);
+    return out;
+}
+
+std::optional<BakedMap> unpackedMap(const std::string& key, std::span<const std::byte> bytes)
+{
+    std::uint64_t checksum = 0;
+    if (bytes.size() < sizeof checksum)
+        return std::nullopt;
+    std::memcpy(&checksum, bytes.last(sizeof checksum).data(), sizeof checksum);
+    Reader reader{bytes.first(bytes.size() - sizeof checksum)};
+    if (XXH3_64bits(reader.left.data(), reader.left.size()) != checksum)
+        return std::nullopt;
+    char magic[sizeof kMagic];
+    Head head;
+    if (!reader.take(magic, sizeof magic) || std::memcmp(magic, kMagic, sizeof magic) != 0 || !reader.take(&head, sizeof head))
+        return std::nullopt;
+    std::string echo(std::min(std::size_t(head.keyBytes), reader.left.size()), '\0');
+    if (head.keyBytes != key.size() || !reader.take(echo.data(), key.size()) || echo != key || head.slices < 1 || head.levels > 64)
+        return std::nullopt;
+    BakedMap map;
+    map.slices = head.slices;
+    map.scale = {head.scale[0], head.scale[1], head.scale[2], head.scale[3]};
+    const std::size_t headBytes = head.levels * sizeof(LevelHead);
+    if (headBytes > reader.left.size())
+        return std::nullopt;
+    Reader heads{reader.left.first(headBytes)}, data{reader.left.subspan(headBytes)};
+    for (std::uint32_t l = 0; l < head.levels; ++l)
+        if (!readLevel(heads, data, map.levels.emplace_back()))
+            return std::nullopt;
+    return data.left.empty() ? std::optional(std::move(map)) : std::nullopt;
+}
+
+} // namespace relievo

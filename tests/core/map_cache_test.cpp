@@ -1,0 +1,209 @@
+// The cache of baked maps: what goes in comes out, anything else is baked again.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/maps/map_cache.h"
+#include "core/maps/maps.h"
+#include "tests/core/image_support.h"
+#include "tests/core/maps_support.h"
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <set>
+
+using namespace relievo;
+using namespace relievo::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+HeightField field(int seed = 0, int size = 24)
+{
+    return fieldOf(size, size, [&](int x, int y) { return float((x * 7 + y * 13 + seed) % 29) / 29.f; });
+}
+
+bool same(const BakedMap& a, const BakedMap& b)
+{
+    return a.slices == b.slices && a.scale == b.scale && std::ranges::equal(a.levels, b.levels, [](const Image& x, const Image& y) {
+        return x.width == y.width && x.height == y.height && x.channels == y.channels && x.type == y.type && x.data == y.data;
+    });
+}
+
+BakedMap pyramid()
+{
+    const MapRow& row = *findMap("pyramid");
+    return storedMap(row, *bakeMap(row, field(), Parameters()), row.bits);
+}
+
+std::vector<fs::path> filesIn(const fs::path& folder)
+{
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        files.push_back(entry.path());
+    return files;
+}
+
+// A cache folder of its own for the time of a test.
+struct OwnCache {
+    TemporaryFolder folder;
+    std::string before = std::getenv("RELIEVO_CACHE") ? std::getenv("RELIEVO_CACHE") : "";
+    OwnCache()
+    {
+        ::setenv("RELIEVO_CACHE", (folder / "cache").c_str(), 1);
+        forgetMapsInMemory();
+    }
+    ~OwnCache()
+    {
+        ::setenv("RELIEVO_CACHE", before.c_str(), 1);
+        forgetMapsInMemory();
+    }
+    fs::path path() const { return folder / "cache"; }
+};
+
+} // namespace
+
+TEST(MapCache, KeysTellApartWhateverTheMapDependsOn)
+{
+    const HeightField square = field();
+    const auto texels = square.texels();
+    Parameters deeper;
+    deeper.depth = 0.2f;
+    MapRow newer = *findMap("ao"), finer = newer;
+    ++newer.version;
+    finer.bits = 8;
+    const std::string key = mapKey(*findMap("ao"), field(), Parameters());
+    const std::set<std::string> keys = {key, mapKey(*findMap("ao"), field(1), Parameters()), mapKey(*findMap("ao"), field(), deeper),
+        mapKey(*findMap("ao"), field().withWrap(Wrap::Clamp), Parameters()), mapKey(*findMap("cone"), field(), Parameters()),
+        mapKey(newer, field(), Parameters()), mapKey(finer, field(), Parameters()),
+        mapKey(*findMap("ao"), HeightField(12, 48, std::vector<float>(texels.begin(), texels.end())), Parameters())};
+    EXPECT_EQ(keys.size(), 8u);
+    EXPECT_EQ(mapKey(*findMap("ao"), field(), Parameters()), key);
+    EXPECT_EQ(mapKey(*findMap("cone"), field(), deeper), mapKey(*findMap("cone"), field(), Parameters())) << "cones do not depend on depth";
+}
+
+TEST(MapCache, FilesReadBackAndNothingElseDoes)
+{
+    const BakedMap map = pyramid();
+    const std::vector<std::byte> packed = packedMap("a key", map);
+    ASSERT_TRUE(unpackedMap("a key", packed));
+    EXPECT_TRUE(same(*unpackedMap("a key", packed), map));
+    EXPECT_FALSE(unpackedMap("b key", packed));
+    EXPECT_FALSE(unpackedMap("a longer key", packed));
+    std::mt19937 random(9);
+    for (std::size_t size = 0; size < packed.size(); size += size < 300 ? 1 : 37)
+        EXPECT_FALSE(unpackedMap("a key", std::span(packed).first(size))) << size;
+    for (int trial = 0; trial < 20000; ++trial) {
+        std::vector<std::byte> spoilt = packed;
+        for (unsigned flips = 1 + random() % 4; flips > 0; --flips)
+            spoilt[random() % (trial % 2 ? 200 : spoilt.size())] ^= std::byte(1 << random() % 8);
+        ASSERT_TRUE(spoilt == packed || !unpackedMap("a key", spoilt)) << trial;
+    }
+    std::vector<std::byte> longer = packed;
+    longer.push_back(std::byte(0));
+    EXPECT_FALSE(unpackedMap("a key", longer));
+}
+
+// A checksum that fits does not make a wrong head right.
+TEST(MapCache, HeadsThatLieAreRefused)
+{
+    BakedMap map = pyramid();
+    map.levels[0].width += 1;
+    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    map = pyramid();
+    map.levels[0].height = 1 << 30;
+    map.levels[0].width = 1 << 30;
+    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    map = pyramid();
+    map.levels[1].channels = 0;
+    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    map = pyramid();
+    map.slices = 0;
+    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    map = pyramid();
+    map.levels[0].type = PixelType(7);
+    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+}
+
+TEST(MapCache, AMapIsBakedOnceAndReadAfterwards)
+{
+    const OwnCache cache;
+    const MapRow& row = *findMap("pyramid");
+    const auto first = cachedMap(row, field(), Parameters());
+    ASSERT_TRUE(first);
+    EXPECT_EQ(*first, *cachedMap(row, field(), Parameters())) << "from memory";
+    ASSERT_EQ(filesIn(cache.path()).size(), 1u);
+    forgetMapsInMemory();
+    bool baked = false;
+    const auto read = cachedMap(row, field(), Parameters(), {[&](float) { baked = true; }, {}});
+    EXPECT_FALSE(baked) << "from disk";
+    EXPECT_TRUE(same(**first, **read));
+}
+
+TEST(MapCache, ASpoiltFileIsBakedAgainAndReplaced)
+{
+    const OwnCache cache;
+    const MapRow& row = *findMap("pyramid");
+    const auto first = cachedMap(row, field(), Parameters());
+    const fs::path file = filesIn(cache.path()).front();
+    const std::string whole = readAll(file);
+    for (const std::string& content : {std::string(), whole.substr(0, whole.size() / 2), whole + "x", std::string(whole.size(), 'x')}) {
+        writeAll(file, content);
+        forgetMapsInMemory();
+        const auto again = cachedMap(row, field(), Parameters());
+        ASSERT_TRUE(again);
+        EXPECT_TRUE(same(**first, **again));
+        EXPECT_EQ(readAll(file), whole);
+    }
+}
+
+TEST(MapCache, WithoutAUsableFolderNothingIsKept)
+{
+    TemporaryFolder folder;
+    writeAll(folder / "file", "no folder");
+    OwnCache cache;
+    for (const std::string& value :
+        {std::string("off"), (folder / "file").string(), (folder / "file" / "below").string(), std::string("/proc/none")}) {
+        ::setenv("RELIEVO_CACHE", value.c_str(), 1);
+        forgetMapsInMemory();
+        EXPECT_TRUE(cachedMap(*findMap("pyramid"), field(), Parameters())) << value;
+    }
+    EXPECT_EQ(filesIn(folder.path()).size(), 1u);
+    ::setenv("RELIEVO_CACHE", "off", 1);
+    EXPECT_FALSE(cacheFolder());
+}
+
+TEST(MapCache, TheOldestFilesMakeRoom)
+{
+    TemporaryFolder folder;
+    const BakedMap map = pyramid();
+    const std::uintmax_t size = packedMap("0", map).size();
+    for (int i = 0; i < 6; ++i) {
+        const std::string key = std::to_string(i);
+        keepOnDisk(folder.path(), key, map, size * 3);
+        for (const fs::path& file : filesIn(folder.path())) // the clock of files is coarse
+            fs::last_write_time(file, fs::last_write_time(file) - std::chrono::seconds(1));
+        EXPECT_TRUE(mapOnDisk(folder.path(), "0")) << "used each time";
+    }
+    EXPECT_EQ(filesIn(folder.path()).size(), 3u);
+    EXPECT_TRUE(mapOnDisk(folder.path(), "5"));
+    EXPECT_FALSE(mapOnDisk(folder.path(), "2"));
+    keepOnDisk(folder.path(), "large", map, size / 2);
+    EXPECT_FALSE(mapOnDisk(folder.path(), "large")) << "larger than all room";
+}
+
+TEST(MapCache, MemoryHoldsTheMapsUsedLast)
+{
+    forgetMapsInMemory();
+    const auto map = std::make_shared<const BakedMap>(pyramid());
+    for (int i = 0; i < int(kMemoryMaps) + 4; ++i) {
+        keepInMemory(std::to_string(i), map);
+        EXPECT_TRUE(mapInMemory("0"));
+    }
+    EXPECT_FALSE(mapInMemory("1"));
+    EXPECT_TRUE(mapInMemory(std::to_string(kMemoryMaps + 3)));
+    BakedMap huge;
+    huge.levels.push_back({1, 1, 1, PixelType::U8, 8, false, std::vector<std::byte>(kMemoryBytes + 1)});
+    keepInMemory("huge", std::make_shared<const BakedMap>(std::move(huge)));
+    EXPECT_FALSE(mapInMemory("huge"));
+    EXPECT_TRUE(mapInMemory("0")) << "a map that does not fit drives none out";
+    forgetMapsInMemory();
+    EXPECT_FALSE(mapInMemory("0"));
+}
