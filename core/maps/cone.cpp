@@ -48,10 +48,12 @@ float fallingCell(const Corners& c)
     return falls(c) ? std::max(std::max(c.h00, c.h10), std::max(c.h01, c.h11)) : -1.f;
 }
 
-ConeQuadrant quadrantOf(const HeightField& field, bool mirrorU, bool mirrorV, Obstacle obstacle)
+ConeQuadrant quadrantOf(const HeightField& field, bool mirrorU, bool mirrorV, Obstacle obstacle, const Progress& progress)
 {
     ConeQuadrant quadrant{mirrored(field, mirrorU, mirrorV), mirrorU, mirrorV, makeMaxLevels(field.width(), field.height())};
     tbb::parallel_for(0, field.height(), [&](int y) {
+        if (progress.cancelled())
+            return;
         float* row = quadrant.items.values.data() + std::size_t(y) * std::size_t(field.width());
         for (int x = 0; x < field.width(); ++x)
             row[x] = obstacle(quadrant.field.corners(x, y));
@@ -64,7 +66,7 @@ ConeQuadrant quadrantOf(const HeightField& field, bool mirrorU, bool mirrorV, Ob
 struct TexelLeaf {
     static constexpr bool kAsCheapAsBound = true;
     const ConeQuadrant& quadrant;
-    explicit TexelLeaf(const ConeQuadrant& q) : quadrant(q) { }
+    TexelLeaf(const ConeQuadrant& q, const Progress&) : quadrant(q) { }
     static bool mayLimit(int, int, int, const NodeExtent&) { return true; }
     float ratio(int i, int j, int x, int y, float apex) const
     {
@@ -81,9 +83,14 @@ struct CellLeaf {
     const ConeQuadrant& quadrant;
     MaxLevels fallU, fallV; // steepest fall of a node, height per texel; negative where all of it rises
 
-    explicit CellLeaf(const ConeQuadrant& q) : quadrant(q), fallU(makeMaxLevels(q.field.width(), q.field.height())), fallV(fallU)
+    CellLeaf(const ConeQuadrant& q, const Progress& progress)
+        : quadrant(q)
+        , fallU(makeMaxLevels(q.field.width(), q.field.height()))
+        , fallV(fallU)
     {
         tbb::parallel_for(0, q.field.height(), [&](int y) {
+            if (progress.cancelled())
+                return;
             const std::size_t row = std::size_t(y) * std::size_t(q.field.width());
             for (int x = 0; x < q.field.width(); ++x) {
                 const Corners c = q.field.corners(x, y);
@@ -111,14 +118,16 @@ template <class Leaf> std::vector<ConeBounds> ratios(const HeightField& field, O
 {
     std::vector<ConeBounds> bounds(field.texels().size());
     for (std::size_t q = 0; q < kMirrors.size() && !progress.cancelled(); ++q) {
-        const ConeQuadrant quadrant = quadrantOf(field, kMirrors[q][0], kMirrors[q][1], obstacle);
-        searchQuadrant(quadrant, Wedge::All, Leaf(quadrant), bounds, progress, float(q) / 4.f, float(q + 1) / 4.f);
+        const ConeQuadrant quadrant = quadrantOf(field, kMirrors[q][0], kMirrors[q][1], obstacle, progress);
+        searchQuadrant(quadrant, Wedge::All, Leaf(quadrant, progress), bounds, progress, float(q) / 4.f, float(q + 1) / 4.f);
     }
     return bounds;
 }
 
-BakedMap heightAndRatio(const HeightField& field, const std::vector<ConeBounds>& bounds)
+BakedMap heightAndRatio(const HeightField& field, const std::vector<ConeBounds>& bounds, const Progress& progress)
 {
+    if (progress.cancelled())
+        return {};
     BakedMap map{{floatImage(field.width(), field.height(), 2)}};
     const auto out = floats(map.levels[0]);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
@@ -150,17 +159,18 @@ std::vector<ConeBounds> smallestAround(const HeightField& field, const std::vect
 
 BakedMap bakeCone(const HeightField& field, const Parameters&, const Progress& progress)
 {
-    return heightAndRatio(field, ratios<TexelLeaf>(field, everyTexel, progress));
+    return heightAndRatio(field, ratios<TexelLeaf>(field, everyTexel, progress), progress);
 }
 
 BakedMap bakeConeRelaxed(const HeightField& field, const Parameters&, const Progress& progress)
 {
-    return heightAndRatio(field, ratios<CellLeaf>(field, fallingCell, progress));
+    return heightAndRatio(field, ratios<CellLeaf>(field, fallingCell, progress), progress);
 }
 
 BakedMap bakeConeRobust(const HeightField& field, const Parameters&, const Progress& progress)
 {
-    return heightAndRatio(field, smallestAround(field, ratios<TexelLeaf>(field, texelBeforeFall, progress)));
+    const std::vector<ConeBounds> single = ratios<TexelLeaf>(field, texelBeforeFall, progress);
+    return progress.cancelled() ? BakedMap() : heightAndRatio(field, smallestAround(field, single), progress);
 }
 
 BakedMap bakeConeQuad(const HeightField& field, const Parameters&, const Progress& progress)
@@ -169,13 +179,14 @@ BakedMap bakeConeQuad(const HeightField& field, const Parameters&, const Progres
     constexpr std::array<std::array<std::size_t, 2>, 4> kQuadrants = {{{0, 2}, {1, 3}, {0, 1}, {2, 3}}};
     BakedMap map{{floatImage(field.width(), field.height(), 4)}};
     const auto out = floats(map.levels[0]);
-    for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t c = 0; c < 4 && !progress.cancelled(); ++c) {
         std::vector<ConeBounds> bounds(field.texels().size());
         for (std::size_t half = 0; half < 2 && !progress.cancelled(); ++half) {
             const auto [mirrorU, mirrorV] = kMirrors[kQuadrants[c][half]];
-            const ConeQuadrant quadrant = quadrantOf(field, mirrorU, mirrorV, everyTexel);
+            const ConeQuadrant quadrant = quadrantOf(field, mirrorU, mirrorV, everyTexel, progress);
             const float share = float(2 * c + half) / 8.f;
-            searchQuadrant(quadrant, c < 2 ? Wedge::AlongU : Wedge::AlongV, TexelLeaf(quadrant), bounds, progress, share, share + 0.125f);
+            searchQuadrant(
+                quadrant, c < 2 ? Wedge::AlongU : Wedge::AlongV, TexelLeaf(quadrant, progress), bounds, progress, share, share + 0.125f);
         }
         for (std::size_t i = 0; i < bounds.size(); ++i)
             out[4 * i + c] = bounds[i].safe * kConeMargin;

@@ -138,6 +138,8 @@ std::vector<float> horizonSines(const HeightField& field, float depthInTiles, in
             sweep(scan, line, hull, slopes);
     });
     tbb::parallel_for(0, scan.width, [&](int across) {
+        if (progress.cancelled())
+            return;
         for (int k = 0; k < scan.length; ++k) {
             const double at = double(across) - double(k) * scan.shear; // of the texel among the lines
             const float share = float(at - std::floor(at));
