@@ -192,7 +192,7 @@ HeightField heightFromNormals(const Image& normals, Wrap wrap, float& depthInTil
 BakedMap bakeHeightFromNormals(const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress)
 {
     const HeightField field = heightFromNormals(normals, wrap, depthInTiles, progress);
-    BakedMap map{{floatImage(field.width(), field.height(), 1)}};
+    BakedMap map = oneLevel(floatImage(field.width(), field.height(), 1));
     std::ranges::copy(field.texels(), floats(map.levels[0]).begin());
     return map;
 }
