@@ -48,10 +48,12 @@ float fallingCell(const Corners& c)
     return falls(c) ? std::max(std::max(c.h00, c.h10), std::max(c.h01, c.h11)) : -1.f;
 }
 
-ConeQuadrant quadrantOf(const HeightField& field, bool mirrorU, bool mirrorV, Obstacle obstacle)
+ConeQuadrant quadrantOf(const HeightField& field, bool mirrorU, bool mirrorV, Obstacle obstacle, const Progress& progress)
 {
     ConeQuadrant quadrant{mirrored(field, mirrorU, mirrorV), mirrorU, mirrorV, makeMaxLevels(field.width(), field.height())};
     tbb::parallel_for(0, field.height(), [&](int y) {
+        if (progress.cancelled())
+            return;
         float* row = quadrant.items.values.data() + std::size_t(y) * std::size_t(field.width());
         for (int x = 0; x < field.width(); ++x)
             row[x] = obstacle(quadrant.field.corners(x, y));
@@ -64,7 +66,7 @@ ConeQuadrant quadrantOf(const HeightField& field, bool mirrorU, bool mirrorV, Ob
 struct TexelLeaf {
     static constexpr bool kAsCheapAsBound = true;
     const ConeQuadrant& quadrant;
-    explicit TexelLeaf(const ConeQuadrant& q) : quadrant(q) { }
+    TexelLeaf(const ConeQuadrant& q, const Progress&) : quadrant(q) { }
     static bool mayLimit(int, int, int, const NodeExtent&) { return true; }
     float ratio(int i, int j, int x, int y, float apex) const
     {
@@ -81,9 +83,14 @@ struct CellLeaf {
     const ConeQuadrant& quadrant;
     MaxLevels fallU, fallV; // steepest fall of a node, height per texel; negative where all of it rises
 
-    explicit CellLeaf(const ConeQuadrant& q) : quadrant(q), fallU(makeMaxLevels(q.field.width(), q.field.height())), fallV(fallU)
+    CellLeaf(const ConeQuadrant& q, const Progress& progress)
+        : quadrant(q)
+        , fallU(makeMaxLevels(q.field.width(), q.field.height()))
+        , fallV(fallU)
     {
         tbb::parallel_for(0, q.field.height(), [&](int y) {
+            if (progress.cancelled())
+                return;
             const std::size_t row = std::size_t(y) * std::size_t(q.field.width());
             for (int x = 0; x < q.field.width(); ++x) {
                 const Corners c = q.field.corners(x, y);
@@ -107,79 +114,93 @@ struct CellLeaf {
     }
 };
 
-template <class Leaf> std::vector<ConeBounds> ratios(const HeightField& field, Obstacle obstacle, const Progress& progress)
+// (safe bound in channel 1, reached in channel 0): the channels double as the search's memory. No levels when cancelled.
+template <class Leaf> BakedMap searched(const HeightField& field, Obstacle obstacle, const Progress& progress)
 {
-    std::vector<ConeBounds> bounds(field.texels().size());
+    BakedMap map = oneLevel(floatImage(field.width(), field.height(), 2));
+    const auto out = floats(map.levels[0]);
+    std::ranges::fill(out, kWidestCone);
     for (std::size_t q = 0; q < kMirrors.size() && !progress.cancelled(); ++q) {
-        const ConeQuadrant quadrant = quadrantOf(field, kMirrors[q][0], kMirrors[q][1], obstacle);
-        searchQuadrant(quadrant, Wedge::All, Leaf(quadrant), bounds, progress, float(q) / 4.f, float(q + 1) / 4.f);
+        const ConeQuadrant quadrant = quadrantOf(field, kMirrors[q][0], kMirrors[q][1], obstacle, progress);
+        searchQuadrant(quadrant, Wedge::All, Leaf(quadrant, progress), {out.data() + 1, out.data(), 2, 2}, progress, float(q) / 4.f,
+            float(q + 1) / 4.f);
     }
-    return bounds;
+    return progress.cancelled() ? BakedMap() : map;
 }
 
-BakedMap heightAndRatio(const HeightField& field, const std::vector<ConeBounds>& bounds)
+// Puts the heights where the search had its memory.
+BakedMap heightAndRatio(const HeightField& field, BakedMap map)
 {
-    BakedMap map{{floatImage(field.width(), field.height(), 2)}};
+    if (map.levels.empty())
+        return map;
     const auto out = floats(map.levels[0]);
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
+    for (std::size_t i = 0; i < field.texels().size(); ++i) {
         out[2 * i] = field.texels()[i];
-        out[2 * i + 1] = bounds[i].safe * kConeMargin;
+        out[2 * i + 1] *= kConeMargin;
     }
     return map;
 }
 
-// The smallest of 3 x 3 texels, under the field's wrap mode.
-std::vector<ConeBounds> smallestAround(const HeightField& field, const std::vector<ConeBounds>& bounds)
+// The smallest of 3 x 3 texels in channel 1, under the field's wrap mode; by way of channel 0.
+void takeSmallestAround(const HeightField& field, Image& image)
 {
-    std::vector<ConeBounds> out(bounds.size());
-    tbb::parallel_for(0, field.height(), [&](int y) {
-        for (int x = 0; x < field.width(); ++x) {
-            float& smallest = out[std::size_t(y) * std::size_t(field.width()) + std::size_t(x)].safe;
+    const int width = field.width(), height = field.height();
+    const auto out = floats(image);
+    tbb::parallel_for(0, height, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            float smallest = kWidestCone;
             for (int j = y - 1; j <= y + 1; ++j)
                 for (int i = x - 1; i <= x + 1; ++i)
-                    smallest = std::min(smallest,
-                        bounds[std::size_t(wrapIndex(j, field.height(), field.wrap())) * std::size_t(field.width())
-                            + std::size_t(wrapIndex(i, field.width(), field.wrap()))]
-                            .safe);
+                    smallest = std::min(smallest, image.value(wrapIndex(i, width, field.wrap()), wrapIndex(j, height, field.wrap()), 1));
+            out[2 * (std::size_t(y) * std::size_t(width) + std::size_t(x))] = smallest;
         }
     });
-    return out;
+    for (std::size_t i = 0; i < out.size(); i += 2)
+        out[i + 1] = out[i];
 }
 
 } // namespace
 
 BakedMap bakeCone(const HeightField& field, const Parameters&, const Progress& progress)
 {
-    return heightAndRatio(field, ratios<TexelLeaf>(field, everyTexel, progress));
+    return heightAndRatio(field, searched<TexelLeaf>(field, everyTexel, progress));
 }
 
 BakedMap bakeConeRelaxed(const HeightField& field, const Parameters&, const Progress& progress)
 {
-    return heightAndRatio(field, ratios<CellLeaf>(field, fallingCell, progress));
+    return heightAndRatio(field, searched<CellLeaf>(field, fallingCell, progress));
 }
 
 BakedMap bakeConeRobust(const HeightField& field, const Parameters&, const Progress& progress)
 {
-    return heightAndRatio(field, smallestAround(field, ratios<TexelLeaf>(field, texelBeforeFall, progress)));
+    BakedMap map = searched<TexelLeaf>(field, texelBeforeFall, progress);
+    if (!map.levels.empty())
+        takeSmallestAround(field, map.levels[0]);
+    return heightAndRatio(field, std::move(map));
 }
 
 BakedMap bakeConeQuad(const HeightField& field, const Parameters&, const Progress& progress)
 {
     // Channel by channel: the two quadrants that share its axis, their half along it.
     constexpr std::array<std::array<std::size_t, 2>, 4> kQuadrants = {{{0, 2}, {1, 3}, {0, 1}, {2, 3}}};
-    BakedMap map{{floatImage(field.width(), field.height(), 4)}};
+    BakedMap map = oneLevel(floatImage(field.width(), field.height(), 4));
     const auto out = floats(map.levels[0]);
+    std::ranges::fill(out, kWidestCone);
+    std::vector<float> reached(field.texels().size());
     for (std::size_t c = 0; c < 4; ++c) {
-        std::vector<ConeBounds> bounds(field.texels().size());
+        std::ranges::fill(reached, kWidestCone);
         for (std::size_t half = 0; half < 2 && !progress.cancelled(); ++half) {
             const auto [mirrorU, mirrorV] = kMirrors[kQuadrants[c][half]];
-            const ConeQuadrant quadrant = quadrantOf(field, mirrorU, mirrorV, everyTexel);
+            const ConeQuadrant quadrant = quadrantOf(field, mirrorU, mirrorV, everyTexel, progress);
             const float share = float(2 * c + half) / 8.f;
-            searchQuadrant(quadrant, c < 2 ? Wedge::AlongU : Wedge::AlongV, TexelLeaf(quadrant), bounds, progress, share, share + 0.125f);
+            searchQuadrant(quadrant, c < 2 ? Wedge::AlongU : Wedge::AlongV, TexelLeaf(quadrant, progress),
+                {out.data() + c, reached.data(), 4, 1}, progress, share, share + 0.125f);
         }
-        for (std::size_t i = 0; i < bounds.size(); ++i)
-            out[4 * i + c] = bounds[i].safe * kConeMargin;
     }
+    if (progress.cancelled())
+        return {};
+    for (float& ratio : out)
+        ratio *= kConeMargin;
     return map;
 }
 

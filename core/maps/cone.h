@@ -12,7 +12,7 @@ namespace relievo {
 // Common to all: one level, the field's size, F32, scale 1. A ratio is the radius of a cone in tiles (uv) per unit of height (0 to 1),
 // its apex at the texel centre at its height, its axis upward. Radii are measured in uv whatever the tile's size in texels, so the
 // ratios hold for every `depth`. They never exceed the true ones and are at most 8.1 % below (kConeKeep); they end at kWidestCone,
-// where no obstacle limits the cone earlier. Under repeat all images of the tile count. Stops early when cancelled.
+// where no obstacle limits the cone earlier. Under repeat all images of the tile count. When cancelled the result is no map.
 
 // (height, ratio). Dummer 2006, Cone Step Mapping: no texel centre lies above the cone. Not clamped at 1.
 BakedMap bakeCone(const HeightField& field, const Parameters& parameters, const Progress& progress);

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <vector>
 
 namespace relievo {
 
@@ -27,6 +26,12 @@ inline constexpr float kConeMargin = 1.f - 1e-5f;
 // safe <= true ratio <= reached, over what was searched so far.
 struct ConeBounds {
     float safe = kWidestCone, reached = kWidestCone;
+};
+
+// The bounds of all texels, row by row in the order of the field that is not mirrored, as channels of images.
+struct BoundsView {
+    float *safe, *reached;
+    std::size_t safeStride, reachedStride;
 };
 
 // What lies in the quadrant +u, +v of every texel: item (i, j), repeated with the tile, has its near corner at texel (i, j) and is an
@@ -191,11 +196,11 @@ private:
     float m_apex = 0.f;
 };
 
-// Narrows each texel's bounds (row by row, in the order of the field that is not mirrored) by the quadrant's obstacles.
+// Narrows each texel's bounds by the quadrant's obstacles.
 // progress: this part's share of the whole is [from, to]. Stops early when cancelled.
 template <class Leaf>
-void searchQuadrant(const ConeQuadrant& quadrant, Wedge wedge, const Leaf& leaf, std::vector<ConeBounds>& bounds, const Progress& progress,
-    float from, float to)
+void searchQuadrant(
+    const ConeQuadrant& quadrant, Wedge wedge, const Leaf& leaf, const BoundsView& view, const Progress& progress, float from, float to)
 {
     const int width = quadrant.field.width(), height = quadrant.field.height();
     std::atomic<int> done = 0;
@@ -206,7 +211,11 @@ void searchQuadrant(const ConeQuadrant& quadrant, Wedge wedge, const Leaf& leaf,
                 if (x % 32 == 0 && progress.cancelled())
                     return;
                 const int toX = quadrant.mirrorU ? width - 1 - x : x, toY = quadrant.mirrorV ? height - 1 - y : y;
-                search.search(x, y, bounds[std::size_t(toY) * std::size_t(width) + std::size_t(toX)]);
+                const std::size_t texel = std::size_t(toY) * std::size_t(width) + std::size_t(toX);
+                ConeBounds bounds{view.safe[texel * view.safeStride], view.reached[texel * view.reachedStride]};
+                search.search(x, y, bounds);
+                view.safe[texel * view.safeStride] = bounds.safe;
+                view.reached[texel * view.reachedStride] = bounds.reached;
             }
         }
         done += rows.end() - rows.begin();

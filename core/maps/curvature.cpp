@@ -23,7 +23,7 @@ double meanCurvature(const HeightField& field, double depth, int x, int y)
 
 BakedMap bakeCurvature(const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
-    BakedMap map{{floatImage(field.width(), field.height(), 1)}};
+    BakedMap map = oneLevel(floatImage(field.width(), field.height(), 1));
     std::atomic<int> done = 0;
     tbb::parallel_for(0, field.height(), [&](int y) {
         if (progress.cancelled())

@@ -157,7 +157,7 @@ BakedMap bakeDistance(const HeightField& field, const Parameters&, const Progres
 {
     const Axis u{std::min(field.width(), kDistanceSize), field.width()}, v{std::min(field.height(), kDistanceSize), field.height()};
     const Volume volume{field, u, v, columnHeights(field, u, v)};
-    BakedMap map{{floatImage(u.voxels, v.voxels * kDistanceSlices, 1)}, kDistanceSlices};
+    BakedMap map = oneLevel(floatImage(u.voxels, v.voxels * kDistanceSlices, 1), kDistanceSlices);
     const std::size_t size = std::size_t(u.voxels) * std::size_t(v.voxels);
     std::atomic<int> done = 0;
     tbb::parallel_for(0, kDistanceSlices, [&](int k) {

@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/image/image.h"
+#include "core/maps/baked_map.h"
 #include <span>
+#include <utility>
 
 namespace relievo {
 
@@ -23,6 +25,15 @@ inline std::span<float> floats(Image& image)
 inline std::span<const float> floats(const Image& image)
 {
     return {reinterpret_cast<const float*>(image.data.data()), image.data.size() / sizeof(float)};
+}
+
+// A map of one level, without copying it.
+inline BakedMap oneLevel(Image image, int slices = 1)
+{
+    BakedMap map;
+    map.levels.push_back(std::move(image));
+    map.slices = slices;
+    return map;
 }
 
 } // namespace relievo

@@ -55,14 +55,19 @@ void run(const Plan& plan, Complex* line)
     fftwf_execute_dft(plan.get(), reinterpret_cast<fftwf_complex*>(line), reinterpret_cast<fftwf_complex*>(line));
 }
 
+template <class Row> void eachRow(int height, const Progress& progress, Row row)
+{
+    tbb::parallel_for(0, height, [&](int y) {
+        if (!progress.cancelled())
+            row(y);
+    });
+}
+
 // Transforms the rows by one plan and the columns by the other, in place.
 template <class T>
 void transform(std::vector<T>& data, int width, int height, const Plan& alongRow, const Plan& alongColumn, const Progress& progress)
 {
-    tbb::parallel_for(0, height, [&](int y) {
-        if (!progress.cancelled())
-            run(alongRow, data.data() + std::size_t(y) * std::size_t(width));
-    });
+    eachRow(height, progress, [&](int y) { run(alongRow, data.data() + std::size_t(y) * std::size_t(width)); });
     constexpr int kBlock = 8; // columns copied together
     tbb::parallel_for(0, (width + kBlock - 1) / kBlock, [&](int block) {
         if (progress.cancelled())
@@ -110,19 +115,20 @@ std::vector<float> integratedRepeating(const Image& normals, const Progress& pro
 {
     const int width = normals.width, height = normals.height;
     std::vector<Complex> waves(normals.texelCount());
-    for (int y = 0, i = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x, ++i) {
-            const glm::vec2 slope = slopeOf(normals, x, y);
-            waves[std::size_t(i)] = {slope.x, slope.y};
-        }
-    transform(waves, width, height, complexPlan(width, FFTW_FORWARD), complexPlan(height, FFTW_FORWARD), progress);
     const auto index = [&](int x, int y) { return std::size_t(y) * std::size_t(width) + std::size_t(x); };
+    eachRow(height, progress, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            const glm::vec2 slope = slopeOf(normals, x, y);
+            waves[index(x, y)] = {slope.x, slope.y};
+        }
+    });
+    transform(waves, width, height, complexPlan(width, FFTW_FORWARD), complexPlan(height, FFTW_FORWARD), progress);
     const auto surface = [&](Complex wave, Complex mirror, float du, float dv) {
         const Complex p = (wave + std::conj(mirror)) * 0.5f, q = (wave - std::conj(mirror)) * Complex(0.f, -0.5f);
         const float squared = du * du + dv * dv;
         return squared > 0.f ? (p * du + q * dv) * Complex(0.f, -1.f) / squared : Complex();
     };
-    for (int y = 0; y < height; ++y)
+    eachRow(height / 2 + 1, progress, [&](int y) { // and row height - y
         for (int x = 0; x < width; ++x) {
             const std::size_t here = index(x, y), there = index((width - x) % width, (height - y) % height);
             if (here > there)
@@ -132,6 +138,7 @@ std::vector<float> integratedRepeating(const Image& normals, const Progress& pro
             waves[there] = surface(mirror, wave, -du, -dv);
             waves[here] = surface(wave, mirror, du, dv);
         }
+    });
     transform(waves, width, height, complexPlan(width, FFTW_BACKWARD), complexPlan(height, FFTW_BACKWARD), progress);
     std::vector<float> heights(waves.size());
     for (std::size_t i = 0; i < waves.size(); ++i)
@@ -144,22 +151,24 @@ std::vector<float> integratedClamped(const Image& normals, const Progress& progr
 {
     const int width = normals.width, height = normals.height;
     std::vector<float> p(normals.texelCount()), q(p.size()), heights(p.size());
-    for (int y = 0, i = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x, ++i) {
+    const auto index = [&](int x, int y) { return std::size_t(y) * std::size_t(width) + std::size_t(x); };
+    eachRow(height, progress, [&](int y) {
+        for (int x = 0; x < width; ++x) {
             const glm::vec2 slope = slopeOf(normals, x, y);
-            p[std::size_t(i)] = slope.x;
-            q[std::size_t(i)] = slope.y;
+            p[index(x, y)] = slope.x;
+            q[index(x, y)] = slope.y;
         }
+    });
     transform(p, width, height, realPlan(width, FFTW_RODFT10), realPlan(height, FFTW_REDFT10), progress);
     transform(q, width, height, realPlan(width, FFTW_REDFT10), realPlan(height, FFTW_RODFT10), progress);
-    const auto index = [&](int x, int y) { return std::size_t(y) * std::size_t(width) + std::size_t(x); };
-    for (int y = 0; y < height; ++y)
+    eachRow(height, progress, [&](int y) {
         for (int x = 0; x < width; ++x) {
             const float du = differenceOf(std::numbers::pi * x / width, width), dv = differenceOf(std::numbers::pi * y / height, height);
             const float sum = (x > 0 ? du * p[index(x - 1, y)] : 0.f) + (y > 0 ? dv * q[index(x, y - 1)] : 0.f);
             const float squared = du * du + dv * dv;
             heights[index(x, y)] = squared > 0.f ? -sum / squared : 0.f;
         }
+    });
     transform(heights, width, height, realPlan(width, FFTW_REDFT01), realPlan(height, FFTW_REDFT01), progress);
     for (float& h : heights)
         h /= 4.f * float(heights.size());
@@ -183,7 +192,7 @@ HeightField heightFromNormals(const Image& normals, Wrap wrap, float& depthInTil
 BakedMap bakeHeightFromNormals(const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress)
 {
     const HeightField field = heightFromNormals(normals, wrap, depthInTiles, progress);
-    BakedMap map{{floatImage(field.width(), field.height(), 1)}};
+    BakedMap map = oneLevel(floatImage(field.width(), field.height(), 1));
     std::ranges::copy(field.texels(), floats(map.levels[0]).begin());
     return map;
 }

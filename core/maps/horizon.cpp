@@ -138,6 +138,8 @@ std::vector<float> horizonSines(const HeightField& field, float depthInTiles, in
             sweep(scan, line, hull, slopes);
     });
     tbb::parallel_for(0, scan.width, [&](int across) {
+        if (progress.cancelled())
+            return;
         for (int k = 0; k < scan.length; ++k) {
             const double at = double(across) - double(k) * scan.shear; // of the texel among the lines
             const float share = float(at - std::floor(at));
@@ -153,7 +155,7 @@ std::vector<float> horizonSines(const HeightField& field, float depthInTiles, in
 namespace {
 BakedMap horizons(const HeightField& field, const Parameters& parameters, int count, const Progress& progress)
 {
-    BakedMap map{{floatImage(field.width(), field.height() * count / 4, 4)}, count / 4};
+    BakedMap map = oneLevel(floatImage(field.width(), field.height() * count / 4, 4), count / 4);
     for (int index = 0; index < count && !progress.cancelled(); ++index) {
         const std::vector<float> sines = horizonSines(field, parameters.depth, index, count, progress);
         float* out = floats(map.levels[0]).data() + std::size_t(index / 4) * sines.size() * 4 + std::size_t(index % 4);
@@ -177,7 +179,7 @@ BakedMap bakeHorizon16(const HeightField& field, const Parameters& parameters, c
 BakedMap bakeAo(const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
     constexpr int kAzimuths = 16;
-    BakedMap map{{floatImage(field.width(), field.height(), 1)}};
+    BakedMap map = oneLevel(floatImage(field.width(), field.height(), 1));
     const auto out = floats(map.levels[0]);
     std::ranges::fill(out, 1.f);
     for (int index = 0; index < kAzimuths && !progress.cancelled(); ++index) {

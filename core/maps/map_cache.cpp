@@ -143,7 +143,7 @@ std::shared_ptr<const BakedMap> mapInMemory(const std::string& key)
     return found->map;
 }
 
-void keepInMemory(const std::string& key, std::shared_ptr<const BakedMap> map)
+void keepInMemory(const std::string& key, std::shared_ptr<const BakedMap> map, std::size_t limit)
 {
     const std::lock_guard lock(memory().mutex);
     std::list<Kept>& maps = memory().maps;
@@ -151,7 +151,7 @@ void keepInMemory(const std::string& key, std::shared_ptr<const BakedMap> map)
     maps.push_front({key, std::move(map)});
     std::size_t bytes = 0, count = 0;
     std::erase_if(maps, [&](const Kept& kept) {
-        if (count == kMemoryMaps || bytes + kept.map->bytes() > kMemoryBytes)
+        if (count == kMemoryMaps || bytes + kept.map->bytes() > limit)
             return true;
         bytes += kept.map->bytes();
         ++count;

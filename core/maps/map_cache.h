@@ -25,7 +25,7 @@ std::string mapKey(const MapRow& row, const HeightField& field, const Parameters
 // In memory: the maps used last, at most 16 and kMemoryBytes. Safe from any thread.
 inline constexpr std::size_t kMemoryMaps = 16, kMemoryBytes = std::size_t(512) << 20;
 std::shared_ptr<const BakedMap> mapInMemory(const std::string& key); // null when it is not there
-void keepInMemory(const std::string& key, std::shared_ptr<const BakedMap> map);
+void keepInMemory(const std::string& key, std::shared_ptr<const BakedMap> map, std::size_t limit = kMemoryBytes);
 void forgetMapsInMemory();
 
 // RELIEVO_CACHE, or relievo/ in XDG_CACHE_HOME or ~/.cache; nothing when it is "off" or there is no home.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/maps/maps.h"
+#include "core/maps/float_image.h"
 #include "core/maps/map_cache.h"
 #include "core/maps/normal.h"
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace relievo {
 
 BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
-    return {{normalsOf(field, parameters.depth * parameters.normalStrength, progress)}};
+    return oneLevel(normalsOf(field, parameters.depth * parameters.normalStrength, progress));
 }
 
 const MapRow* findMap(std::string_view key)

@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <malloc.h>
 #include <map>
 #include <sstream>
 #include <string>
@@ -166,6 +167,7 @@ int main(int argc, char** argv)
         if (!options.maps.empty() && std::ranges::find(options.maps, key) == options.maps.end())
             continue;
         for (const Named& named : fields) {
+            malloc_trim(0);
             std::ofstream("/proc/self/clear_refs") << 5;
             const long before = memoryMiB("VmRSS");
             const Time time = bakeTime(row, named.field);

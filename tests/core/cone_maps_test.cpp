@@ -14,7 +14,7 @@ using namespace relievo::test;
 namespace {
 
 constexpr double kCap = double(kWidestCone);
-constexpr int kImages = 6; // of the tile to each side
+constexpr int kImages = 4; // of the tile to each side
 
 struct Offset {
     int x, y; // from the apex, texels
@@ -84,7 +84,7 @@ std::vector<HeightField> smallFields(Wrap wrap)
     std::vector<HeightField> fields;
     std::mt19937 random(3);
     std::uniform_real_distribution<float> unit(0.f, 1.f);
-    for (const auto [width, height] : {std::array{1, 1}, {1, 7}, {9, 1}, {2, 2}, {3, 5}, {8, 8}, {13, 6}, {11, 20}}) {
+    for (const auto [width, height] : {std::array{1, 1}, {1, 7}, {9, 1}, {2, 2}, {3, 5}, {8, 8}, {13, 6}, {11, 14}}) {
         fields.push_back(fieldOf(
             width, height, [&](int, int) { return unit(random); }, wrap));
         fields.push_back(fieldOf(
@@ -93,7 +93,7 @@ std::vector<HeightField> smallFields(Wrap wrap)
             width, height, [&](int, int) { return unit(random) < 0.1f ? 1.f : 0.f; }, wrap));
     }
     for (const HardField& hard : kHardFields)
-        fields.push_back(hardField(hard, 14, 11, wrap));
+        fields.push_back(hardField(hard, 10, 9, wrap));
     return fields;
 }
 
@@ -268,7 +268,7 @@ TEST(RelaxedCone, IsWhatTheListingSamples)
     }
 }
 
-TEST(ConeMapsAtLarge, CancelStopsWithinATenthOfASecond)
+TEST(ConeMapsAtLarge, CancelledIsAnError)
 {
     const HeightField field = hardField(kHardFields[1], 1024, 1024); // one wave, seconds of work
     std::stop_source stop;

@@ -54,13 +54,13 @@ TEST_P(Distance, InterpolatedNeverExceedsTheTrueDistance)
     std::mt19937 random(6);
     std::uniform_real_distribution<double> unit(0., 1.);
     for (const HardField& hard : kHardFields)
-        for (const auto [width, height] : {std::array{1, 1}, {7, 12}, {40, 30}, {150, 131}}) {
+        for (const auto [width, height] : {std::array{1, 1}, {7, 12}, {150, 131}}) {
             const HeightField field = hardField(hard, width, height, GetParam());
             const BakedMap map = *bakeMap(*findMap("distance"), field, Parameters());
             ASSERT_EQ(map.slices, kDistanceSlices);
             ASSERT_EQ(map.levels[0].width, std::min(width, kDistanceSize));
             ASSERT_EQ(map.levels[0].height, std::min(height, kDistanceSize) * map.slices);
-            for (int n = 0; n < 60; ++n) {
+            for (int n = 0; n < 24; ++n) {
                 glm::dvec3 p(1.4 * unit(random) - 0.2, 1.4 * unit(random) - 0.2, unit(random));
                 if (n % 3 == 0) // just above the surface, where it matters
                     p.z = std::max(0., 1. - double(field.at(glm::vec2(p))) - 0.02 * unit(random));
@@ -77,7 +77,7 @@ TEST_P(Distance, IsNearTheTrueDistance)
         const auto hard = std::ranges::find_if(kHardFields, [&](const HardField& f) { return std::string_view(f.name) == name; });
         const HeightField field = hardField(*hard, 128, 128, GetParam());
         const BakedMap map = *bakeMap(*findMap("distance"), field, Parameters());
-        for (int n = 0; n < 200; ++n) {
+        for (int n = 0; n < 100; ++n) {
             const int i = n * 37 % 128, j = n * 59 % 128, k = n % kDistanceSlices;
             const glm::dvec3 p((i + 0.5) / 128, (j + 0.5) / 128, (k + 0.5) / kDistanceSlices);
             const double stored = double(map.levels[0].value(i, k * 128 + j, 0)), real = sampledDistance(field, p, 256);

@@ -199,9 +199,9 @@ TEST(MapCache, MemoryHoldsTheMapsUsedLast)
     }
     EXPECT_FALSE(mapInMemory("1"));
     EXPECT_TRUE(mapInMemory(std::to_string(kMemoryMaps + 3)));
-    BakedMap huge;
-    huge.levels.push_back({1, 1, 1, PixelType::U8, 8, false, std::vector<std::byte>(kMemoryBytes + 1)});
-    keepInMemory("huge", std::make_shared<const BakedMap>(std::move(huge)));
+    auto larger = *map;
+    larger.levels.insert(larger.levels.end(), 3, larger.levels[0]);
+    keepInMemory("huge", std::make_shared<const BakedMap>(std::move(larger)), 2 * map->bytes());
     EXPECT_FALSE(mapInMemory("huge"));
     EXPECT_TRUE(mapInMemory("0")) << "a map that does not fit drives none out";
     forgetMapsInMemory();

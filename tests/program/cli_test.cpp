@@ -2,8 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file.h"
+#include "core/image/image_file.h"
+#include "core/maps/maps.h"
 #include "core/state/parameters.h"
 #include "tests/program/run.h"
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -189,6 +192,45 @@ TEST(Cli, BakeWritesNormals)
         EXPECT_EQ(run.exitCode, 0) << run.err;
         EXPECT_TRUE(fs::exists(file));
     }
+}
+
+TEST(Cli, BakeWritesEveryMapWithItsScale)
+{
+    TestFolder folder("bake_all");
+    ASSERT_EQ(runRelievo("bake sample:bricks@48 --map normal -o " + (folder / "a_normal.png")).exitCode, 0);
+    for (std::size_t i = 0; i < relievo::kMaps.size(); ++i) {
+        const relievo::MapRow& row = relievo::kMaps[i];
+        const std::string bits = std::array{"8", "16", "32"}[i % 3];
+        const std::string file = folder / (std::string(row.key) + (bits == "32" ? ".exr" : ".png"));
+        const ProgramRun run = runRelievo("bake sample:bricks@48 --json --normal " + (folder / "a_normal.png") + " --map "
+            + std::string(row.key) + " --bits " + bits + " -o " + file);
+        ASSERT_EQ(run.exitCode, 0) << row.key << run.err;
+        const json told = json::parse(run.out);
+        EXPECT_EQ(told["scale"].size(), std::size_t(row.channels));
+        EXPECT_GE(told["seconds"], 0.);
+        int height = 0;
+        for (const json& level : told["levels"])
+            height += level[1].get<int>() * told["slices"].get<int>();
+        EXPECT_EQ(told["height"], height) << row.key;
+        const auto read = relievo::readImageInfo(file);
+        ASSERT_TRUE(read) << file;
+        EXPECT_EQ(read->width, told["width"]);
+        EXPECT_EQ(read->height, height);
+        EXPECT_EQ(read->channels, row.channels == 2 ? 3 : row.channels) << row.key;
+    }
+}
+
+TEST(Cli, BakeTellsHowToReadRatiosAndWhatIsMissing)
+{
+    TestFolder folder("bake_words");
+    const std::string file = folder / "x.png";
+    EXPECT_NE(runRelievo("bake sample:bricks@32 --map cone -o " + file).out.find("channel 2: value = "), std::string::npos);
+    EXPECT_NE(runRelievo("bake sample:bricks@32 --map height-from-normal -o " + file).err.find("no normal map"), std::string::npos);
+    ASSERT_EQ(runRelievo("bake sample:bricks@32 --map normal -o " + (folder / "a_normal.png")).exitCode, 0);
+    const ProgramRun heights = runRelievo("bake " + (folder / "a_normal.png") + " --map height-from-normal -o " + file);
+    EXPECT_EQ(heights.exitCode, 0) << heights.err;
+    EXPECT_NE(heights.out.find("depth: "), std::string::npos);
+    EXPECT_NE(runRelievo("bake " + (folder / "a_normal.png") + " --map cone -o " + file).err.find("no height map"), std::string::npos);
 }
 
 TEST(Cli, DescribeListsEveryParameter)
