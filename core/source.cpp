@@ -119,12 +119,12 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     return opened;
 }
 
-namespace {
-
 Wrap wrapOf(const Parameters& parameters)
 {
     return parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat;
 }
+
+namespace {
 
 // Makes the bound maps that the panes' techniques search with and that are not there; forgets the others.
 Expected<void> loadBounds(const State& state, Resources& resources, const Progress& progress)

@@ -46,6 +46,9 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
 // Whether SOURCE names something made by formula: there is no file behind it.
 bool isBuiltInSource(std::string_view source);
 
+// The wrap mode that the parameter `wrap` stands for.
+Wrap wrapOf(const Parameters& parameters);
+
 // The bound map of `technique`, when it fits the height map and the parameters; else nullptr: such a map is made anew, never used.
 // Techniques without one: nullptr too.
 std::shared_ptr<const SearchTexture> boundFor(const Resources& resources, const TechniqueRow& technique, const Parameters& parameters);

@@ -160,7 +160,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     m->programs.reload();
     m->uploads.hold(used);
     std::optional<Error> error;
-    const Wrap wrap = parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat;
+    const Wrap wrap = wrapOf(parameters);
     const auto use = [&](const LinkedProgram& program) {
         program.use();
         program.set(parameters);

@@ -120,7 +120,7 @@ Expected<std::vector<SearchHit>> traceRaysOnGpu(
     SearchUpload bound;
     if (maps->bound) {
         glActiveTexture(GL_TEXTURE15);
-        bound = uploadSearchTexture(findTechnique(key)->bound, *maps->bound, wrap);
+        bound = uploadSearchTexture(*maps->bound, wrap);
         bindSearchTexture(*program, bound, 3);
     }
     std::vector<SearchHit> hits(rays.size());

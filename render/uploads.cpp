@@ -172,10 +172,10 @@ Texture uploadHeight(const HeightField& field, bool mips)
     return texture;
 }
 
-SearchUpload uploadSearchTexture(std::string_view bound, const SearchTexture& map, Wrap wrap)
+SearchUpload uploadSearchTexture(const SearchTexture& map, Wrap wrap)
 {
-    SearchUpload upload{newTexture(), GL_TEXTURE_2D, map.isCodes ? "cellMap" : "boundMap", map.scales};
-    if (bound == "distance") {
+    SearchUpload upload{newTexture(), GL_TEXTURE_2D, map.form == MapForm::Codes ? "cellMap" : "boundMap", map.scales};
+    if (map.form == MapForm::Volume) {
         upload.target = GL_TEXTURE_3D, upload.sampler = "distanceMap";
         std::ranges::fill(upload.scales, map.scales.front()); // the finest volume serves all levels
     }
@@ -184,14 +184,14 @@ SearchUpload uploadSearchTexture(std::string_view bound, const SearchTexture& ma
     const int levels = upload.target == GL_TEXTURE_3D ? 1 : int(map.levels.size());
     for (int i = 0; i < levels; ++i) {
         const Image& image = map.levels[std::size_t(i)];
-        const Format format = map.isCodes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false);
+        const Format format = map.form == MapForm::Codes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false);
         if (upload.target == GL_TEXTURE_3D)
             glTexImage3D(GL_TEXTURE_3D, 0, format.internal, image.width, image.height / map.slices, map.slices, 0, format.layout,
                 format.type, image.data.data());
         else
             glTexImage2D(GL_TEXTURE_2D, i, format.internal, image.width, image.height, 0, format.layout, format.type, image.data.data());
     }
-    const bool nearest = map.isCodes || bound == "pyramid";
+    const bool nearest = map.form == MapForm::Codes || map.form == MapForm::Pyramid;
     const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
     glTexParameteri(upload.target, GL_TEXTURE_MAX_LEVEL, levels - 1);
     glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_NEAREST);
@@ -291,7 +291,7 @@ void Uploads::bindMaps(
         glActiveTexture(GL_TEXTURE0 + kUploadUnit);
         UploadedBound& uploaded = m_bounds[std::string(boundKey)];
         if (uploaded.map != bound)
-            uploaded = {bound, uploadSearchTexture(boundKey, *bound, wrap)};
+            uploaded = {bound, uploadSearchTexture(*bound, wrap)};
         bindSearchTexture(program, uploaded.upload, unit++);
     }
     if (program.reads("environmentMap")) {

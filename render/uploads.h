@@ -25,7 +25,7 @@ struct SearchUpload {
     std::string_view sampler; // the name it has in shaders
     std::vector<glm::vec4> scales;
 };
-SearchUpload uploadSearchTexture(std::string_view bound, const SearchTexture& map, Wrap wrap);
+SearchUpload uploadSearchTexture(const SearchTexture& map, Wrap wrap);
 void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload, int unit);
 
 class Uploads {

@@ -1,5 +1,5 @@
 // Self-shadow: the same search, sent from the light down to the depth of the point seen and no further (Policarpo, Oliveira, Comba 2005,
-// section 3, figure 10). slack() is what an occluder must lie above the point by.
+// section 3, figure 10). shadowSlack() is what an occluder must lie above the point by.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 bool lightIsHidden(Surface surface, vec3 toLight)

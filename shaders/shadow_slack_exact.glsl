@@ -1,5 +1,5 @@
-// How far above a point its occluders must lie: for exact searches a fiftieth of a texel along the ray, in the point's own cell, where the
-// only other root of the cell's quadratic would be a fold of that size.
+// How far above a point its occluders must lie: for exact searches a fiftieth of a texel along the ray, enough that rounding does not find
+// the point itself. An occluder nearer than that in the point's own cell is lost.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 float shadowSlack(Ray ray)

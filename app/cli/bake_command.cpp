@@ -34,7 +34,7 @@ struct Baked {
 Expected<BakedMap> bakeFrom(
     const Material& material, const MapRow& row, const Parameters& parameters, std::optional<float>& depth, const Progress& progress)
 {
-    const Wrap wrap = parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat;
+    const Wrap wrap = wrapOf(parameters);
     if (!row.bakeFromNormals)
         return material.height ? bakeMap(row, material.height->withWrap(wrap), parameters, progress)
                                : failure(std::string(row.key), "the material has no height map to bake from", "Add one by --height FILE");

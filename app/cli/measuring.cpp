@@ -35,8 +35,7 @@ Result<Subject> openSubject(const StateOptions& options, bool whole, const Progr
         return problem(
             {"the material has no height map to search", options.source.empty() ? "SOURCE" : options.source, "Add one by --height FILE"});
     const Parameters parameters = effectiveParameters(subject.state, 0);
-    subject.field = {
-        options.source, subject.state.name, height->withWrap(parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat), double(parameters.depth)};
+    subject.field = {options.source, subject.state.name, height->withWrap(wrapOf(parameters)), double(parameters.depth)};
     return subject;
 }
 

@@ -74,7 +74,7 @@ Result<Traced> trace(const TraceOptions& options)
             return problem(material.error());
         traced.warnings.insert(traced.warnings.end(), material->warnings.begin(), material->warnings.end());
         if (material->height)
-            field = material->height->withWrap(parameters.wrap == 1 ? Wrap::Clamp : Wrap::Repeat);
+            field = material->height->withWrap(wrapOf(parameters));
     }
     const auto rays = readRays(options.rays, parameters.depth);
     if (!rays)

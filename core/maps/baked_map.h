@@ -24,6 +24,10 @@ struct BakedMap {
     }
 };
 
+// How a search reads a map: filtered, by the nodes of a pyramid, as codes (whole numbers of 16 bits, baked as they are stored), or
+// filtered in a volume.
+enum class MapForm { Filtered, Pyramid, Codes, Volume };
+
 // Which way a value moves when it is stored in fewer bits. A bound moves to its safe side, so that it still bounds.
 enum class Rounding { Nearest, Down, Up };
 // SquareRoot: the root is stored and squared after filtering. The square of interpolated roots is at most the interpolated values

@@ -28,7 +28,7 @@ struct MapRow {
     std::array<ChannelRule, 4> rules; // of each channel, when stored
     int bits; // a channel has when stored, unless asked otherwise: 8, 16 or 32 (float)
     int version; // of the algorithm: maps of another version in the cache are not used
-    bool isCodes; // whole numbers of 16 bits, baked as they are stored
+    MapForm form; // how a search reads it
     std::string_view parameters; // rows of kParameters that the result depends on, separated by spaces
     BakedMap (*bake)(const HeightField& field, const Parameters& parameters, const Progress& progress); // F32 values, scale 1
     std::string_view help;
@@ -43,36 +43,36 @@ inline constexpr std::array<ChannelRule, 4> kHeightAndRatio = {ChannelRule{}, kR
 inline constexpr std::array<ChannelRule, 4> kFourRatios = {kRatio, kRatio, kRatio, kRatio};
 
 inline constexpr auto kMaps = std::to_array<MapRow>({
-    {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, false, "depth normalStrength", bakeNormal,
+    {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, MapForm::Filtered, "depth normalStrength", bakeNormal,
         "Tangent-space normals of the height map at the State's depth, OpenGL style."},
-    {"height-from-normal", "Height from normals", "height", 1, {}, 16, 1, false, "", nullptr,
+    {"height-from-normal", "Height from normals", "height", 1, {}, 16, 1, MapForm::Filtered, "", nullptr,
         "The height map whose slopes are nearest to the normal map's, for sets without one; also tells the depth that it needs.",
         bakeHeightFromNormals},
-    {"ao", "Ambient occlusion", "share of the sky", 1, {}, 16, 1, false, "depth", bakeAo,
+    {"ao", "Ambient occlusion", "share of the sky", 1, {}, 16, 1, MapForm::Filtered, "depth", bakeAo,
         "Cosine-weighted share of the sky that the relief leaves open at the State's depth; 1 is open."},
-    {"horizon", "Horizons, 8 azimuths", "sine of the elevation", 4, {}, 8, 1, false, "depth", bakeHorizon8,
+    {"horizon", "Horizons, 8 azimuths", "sine of the elevation", 4, {}, 8, 1, MapForm::Filtered, "depth", bakeHorizon8,
         "How high the relief stands around each texel at the State's depth, in 8 directions from +u towards +v: four in the channels of "
         "the "
         "upper image, four in the one below it."},
-    {"horizon-16", "Horizons, 16 azimuths", "sine of the elevation", 4, {}, 8, 1, false, "depth", bakeHorizon16,
+    {"horizon-16", "Horizons, 16 azimuths", "sine of the elevation", 4, {}, 8, 1, MapForm::Filtered, "depth", bakeHorizon16,
         "As horizon, in 16 directions: four images one below the other."},
-    {"curvature", "Curvature", "1/2 + H / (2 |H| + 32), H in 1/tile", 1, {}, 16, 1, false, "depth", bakeCurvature,
+    {"curvature", "Curvature", "1/2 + H / (2 |H| + 32), H in 1/tile", 1, {}, 16, 1, MapForm::Filtered, "depth", bakeCurvature,
         "Mean curvature H of the relief at the State's depth: 0.5 is flat, brighter bulges out."},
-    {"pyramid", "Maximum pyramid", "height", 1, {ChannelRule{Rounding::Up}}, 16, 1, false, "", bakePyramid,
+    {"pyramid", "Maximum pyramid", "height", 1, {ChannelRule{Rounding::Up}}, 16, 1, MapForm::Pyramid, "", bakePyramid,
         "Highest point of the surface above each cell between texel centres, then of 2 x 2, up to one texel (Tevs 2008)."},
-    {"cone", "Cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, false, "", bakeCone,
+    {"cone", "Cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, MapForm::Filtered, "", bakeCone,
         "Height, and the ratio of the widest upward cone with no texel centre above it (Dummer 2006)."},
-    {"cone-quad", "Quad cone map", "tiles per height", 4, kFourRatios, 16, 1, false, "", bakeConeQuad,
+    {"cone-quad", "Quad cone map", "tiles per height", 4, kFourRatios, 16, 1, MapForm::Filtered, "", bakeConeQuad,
         "Cone ratios of the four sectors of 90 degrees centred on +u, -u, +v, -v (GPU Gems 3, chapter 18)."},
-    {"cone-relaxed", "Relaxed cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, false, "", bakeConeRelaxed,
+    {"cone-relaxed", "Relaxed cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, MapForm::Filtered, "", bakeConeRelaxed,
         "Height, and the ratio of the widest cone in which a ray from above enters the surface but never leaves it (Policarpo and Oliveira "
         "2007)."},
-    {"cone-robust", "Robust cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, false, "", bakeConeRobust,
+    {"cone-robust", "Robust cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, MapForm::Filtered, "", bakeConeRobust,
         "Height, and the smallest of 3 x 3 cone ratios that only texels before a falling edge limit (Ban et al. 2024)."},
-    {"cell-cone", "Cell cones", "codes", 4, {}, 16, 1, true, "", bakeCellCones,
+    {"cell-cone", "Cell cones", "codes", 4, {}, 16, 1, MapForm::Codes, "", bakeCellCones,
         "For each cell between texel centres, and the nodes of 4, 16 and 64 cells a side that hold it: highest point (upper byte) and "
         "steepest rise from it (lower byte). See the page on cell cones."},
-    {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 1, false, "", bakeDistance,
+    {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 1, MapForm::Volume, "", bakeDistance,
         "Distance to the relief at up to 128 x 128 x 32 points of the slab, for sphere tracing (Donnelly 2005); the slices one below the "
         "other, from the top down."},
 });

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <tbb/parallel_for.h>
 
 namespace relievo {
 
@@ -21,6 +22,7 @@ float asStored(float h, int bits)
 struct Span {
     int first, last;
     float firstShare, lastShare; // of the outer texels
+    float share(int i) const { return i == first ? firstShare : i == last ? lastShare : 1.f; }
 };
 Span spanOf(int k, int to, int from)
 {
@@ -32,27 +34,21 @@ Span spanOf(int k, int to, int from)
 HeightField halved(const HeightField& field)
 {
     const int width = std::max(1, field.width() / 2), height = std::max(1, field.height() / 2);
-    std::vector<float> heights;
-    heights.reserve(std::size_t(width) * std::size_t(height));
-    for (int y = 0; y < height; ++y) {
+    std::vector<float> heights(std::size_t(width) * std::size_t(height));
+    tbb::parallel_for(0, height, [&](int y) {
         const Span rows = spanOf(y, height, field.height());
         for (int x = 0; x < width; ++x) {
             const Span columns = spanOf(x, width, field.width());
             float sum = 0.f, total = 0.f;
             for (int j = rows.first; j <= rows.last; ++j)
                 for (int i = columns.first; i <= columns.last; ++i) {
-                    const float share = (j == rows.first         ? rows.firstShare
-                                                : j == rows.last ? rows.lastShare
-                                                                 : 1.f)
-                        * (i == columns.first       ? columns.firstShare
-                                : i == columns.last ? columns.lastShare
-                                                    : 1.f);
+                    const float share = rows.share(j) * columns.share(i);
                     sum += share * field.texel(i, j);
                     total += share;
                 }
-            heights.push_back(std::clamp(asStored(sum / total, field.storedBits()), 0.f, 1.f));
+            heights[std::size_t(y) * std::size_t(width) + std::size_t(x)] = std::clamp(asStored(sum / total, field.storedBits()), 0.f, 1.f);
         }
-    }
+    });
     return {width, height, std::move(heights), field.wrap(), field.storedBits()};
 }
 
@@ -124,12 +120,12 @@ std::shared_ptr<const SearchTexture> searchTextureOf(
 {
     auto texture = std::make_shared<SearchTexture>();
     texture->slices = maps.front()->slices;
-    texture->isCodes = row.isCodes;
-    if (row.key == "pyramid")
+    texture->form = row.form;
+    if (row.form == MapForm::Pyramid)
         texture->levels.push_back(shelves(maps, field.width(), field.height()));
     for (const auto& map : maps) {
         texture->scales.push_back(map->scale);
-        if (row.key != "pyramid")
+        if (row.form != MapForm::Pyramid)
             texture->levels.push_back(map->levels.front());
     }
     return texture;

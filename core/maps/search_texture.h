@@ -26,7 +26,7 @@ int levelCount(const HeightField& field); // how many there are
 struct SearchTexture {
     std::vector<Image> levels;
     int slices = 1; // of a volume, one below the other in the image
-    bool isCodes = false; // whole numbers, read as such
+    MapForm form = MapForm::Filtered;
     std::vector<glm::vec4> scales; // BakedMap::scale of each height level
     std::size_t bytes() const;
 };

@@ -107,7 +107,7 @@ Image storedLevel(const Image& level, const std::array<ChannelRule, 4>& rules, g
 
 BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits)
 {
-    if (row.isCodes)
+    if (row.form == MapForm::Codes)
         return map;
     BakedMap out;
     out.slices = map.slices;

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shader_text/program_text.h"
 #include "core/file.h"
+#include "core/maps/maps.h"
+#include "core/maps/search_texture.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/shader_text/shader_files.h"
 #include "core/state/techniques.h"
@@ -209,6 +211,18 @@ std::string_view normalsFile(const std::set<MapKind>& maps)
 
 constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"};
 
+// What the technique reads its bound map by.
+void boundFiles(Assembly& part, const TechniqueRow& technique, std::string_view filtered, std::string_view volume)
+{
+    if (technique.bound.empty())
+        return;
+    const MapForm form = findMap(technique.bound)->form;
+    if (form == MapForm::Pyramid || form == MapForm::Codes)
+        part.file("bounds_texels.glsl");
+    else
+        part.file("bounds_scale.glsl").file(form == MapForm::Volume ? volume : filtered);
+}
+
 // The technique and what it reads the maps by, for pictures.
 void searchFiles(Assembly& part, const TechniqueRow& technique, bool readsCorners, bool coarser)
 {
@@ -218,10 +232,7 @@ void searchFiles(Assembly& part, const TechniqueRow& technique, bool readsCorner
             part.file("level_base.glsl");
         part.file("wrapped_texel.glsl").file(coarser ? "heights_corners_texels.glsl" : "heights_corners.glsl");
     }
-    if (!technique.bound.empty())
-        part.file(technique.isExact ? "bounds_texels.glsl" : "bounds_scale.glsl");
-    if (!technique.bound.empty() && !technique.isExact)
-        part.file(technique.bound == "distance" ? "volume_filtered.glsl" : "bounds_filtered.glsl");
+    boundFiles(part, technique, "bounds_filtered.glsl", "volume_filtered.glsl");
     part.file(technique.file);
 }
 
@@ -329,10 +340,7 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
             .file("wrapped_texel.glsl")
             .file(dialect == Dialect::Desktop ? "heights_corners.glsl" : "heights_corners_texels.glsl")
             .file("heights_exact.glsl");
-    if (!row->bound.empty())
-        fragment.file(row->isExact ? "bounds_texels.glsl" : "bounds_scale.glsl");
-    if (!row->bound.empty() && !row->isExact)
-        fragment.file(row->bound == "distance" ? "volume_exact.glsl" : "bounds_exact.glsl");
+    boundFiles(fragment, *row, "bounds_exact.glsl", "volume_exact.glsl");
     return program(
         Assembly(read, dialect).file("full_screen_vertex.glsl").finish(), fragment.file(row->file).file("trace_rays.glsl").finish());
 }
@@ -357,64 +365,13 @@ std::string uniformDeclarations(const std::string& text)
     declare("usampler2D", "cellMap");
     declare("sampler3D", "distanceMap");
     if (mentionsIdentifier(text, "boundScales"))
-        declarations += "uniform vec4 boundScales[16];\n"; // kMaxHeightLevels
-    declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
+        declarations += "uniform vec4 boundScales[" + std::to_string(kMaxHeightLevels)
+            + "];\n" declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
     declare("samplerCube", "environmentMap");
     declare("sampler2D", "rayMap");
     declare("sampler2D", "cosineMap");
     return declarations;
-}
-
-namespace {
-
-std::string_view digitsAt(std::string_view text, std::size_t at)
-{
-    std::size_t end = at;
-    while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])))
-        ++end;
-    return text.substr(std::min(at, text.size()), end - at);
-}
-
-// A place in a driver's log, "2:17" or "2:17(5)": file, line and column.
-struct LogPlace {
-    std::string_view file, line;
-    std::size_t length = 0; // 0: there is none
-};
-LogPlace placeAt(std::string_view log, std::size_t at)
-{
-    LogPlace place{digitsAt(log, at), {}, 0};
-    std::size_t end = at + place.file.size();
-    if (place.file.empty() || end >= log.size() || log[end] != ':')
-        return place;
-    place.line = digitsAt(log, end + 1);
-    if (place.line.empty())
-        return place;
-    end += 1 + place.line.size();
-    if (end < log.size() && log[end] == '(')
-        if (const std::string_view column = digitsAt(log, end + 1); !column.empty() && log.substr(end + 1 + column.size()).starts_with(')'))
-            end += column.size() + 2;
-    place.length = end - at;
-    return place;
-}
-
-} // namespace
-
-std::string namedLog(const std::string& log, const ShaderText& text)
-{
-    std::string out;
-    for (std::size_t at = 0; at < log.size();) {
-        const LogPlace place = placeAt(log, at);
-        if (place.length > 0) {
-            const std::size_t index = std::stoul(std::string(place.file.substr(0, 6)));
-            out += index < text.files.size() ? text.files[index] : std::string(place.file);
-            out += ':' + std::string(place.line);
-        }
-        const std::size_t plain = place.length > 0 ? 0 : std::max<std::size_t>(place.file.size(), 1);
-        out += log.substr(at, plain);
-        at += std::max(place.length, plain);
-    }
-    return out;
 }
 
 } // namespace relievo

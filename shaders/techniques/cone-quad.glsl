@@ -4,6 +4,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 #include "bisection.glsl"
+#include "cone_leap.glsl"
 
 Hit trace(Ray ray)
 {
@@ -24,7 +25,7 @@ Hit trace(Ray ray)
         ++hit.fetches;
         float ratio = root * root * scale;
         outside = hit.t;
-        hit.t += travel > 0.0f ? above * ratio / (ratio + travel) : above;
+        hit.t += coneLeap(above, ratio, travel);
         if (hit.t >= ray.end) {
             hit.t = ray.end;
             hit.found = ray.end >= 1.0f;

@@ -5,6 +5,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 #include "bisection.glsl"
+#include "cone_leap.glsl"
 
 Hit trace(Ray ray)
 {
@@ -19,7 +20,7 @@ Hit trace(Ray ray)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
         float ratio = bound.y * bound.y * boundScale().y;
         outside = hit.t;
-        hit.t = min(ray.end, hit.t + (travel > 0.0f ? above * ratio / (ratio + travel) : above));
+        hit.t = min(ray.end, hit.t + coneLeap(above, ratio, travel));
     }
     hit.found = ray.end >= 1.0f || hit.t < ray.end;
     hit.uv = ray.uv + ray.duv * hit.t;

@@ -4,6 +4,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 #include "bisection.glsl"
+#include "cone_leap.glsl"
 
 Hit trace(Ray ray)
 {
@@ -24,18 +25,15 @@ Hit trace(Ray ray)
         p = p - floor(p);
         float toWallU = slope.x != 0.0f ? ((slope.x > 0.0f ? 1.0f : 0.0f) - p.x) / slope.x : 2.0f;
         float toWallV = slope.y != 0.0f ? ((slope.y > 0.0f ? 1.0f : 0.0f) - p.y) / slope.y : 2.0f;
-        float step = travel > 0.0f ? above * ratio / (ratio + travel) : above;
+        float leap = coneLeap(above, ratio, travel);
         outside = hit.t;
-        hit.t += max(step, min(toWallU, toWallV) + 1e-5f); // their constant, in depth
+        hit.t += max(leap, min(toWallU, toWallV) + 1e-5f); // their constant, in depth
         if (hit.t >= ray.end) {
             hit.t = ray.end;
-            if (ray.end < 1.0f) {
-                hit.found = false;
-                break;
-            }
-            ++hit.fetches;
-            if (heightAt(ray.uv + ray.duv) >= 0.0f)
+            hit.found = ray.end >= 1.0f;
+            if (hit.found) // the floor: inside without asking
                 return bisected(ray, hit, outside, 1.0f, refineSteps);
+            break;
         }
     }
     hit.uv = ray.uv + ray.duv * hit.t;
