@@ -365,8 +365,8 @@ std::string uniformDeclarations(const std::string& text)
     declare("usampler2D", "cellMap");
     declare("sampler3D", "distanceMap");
     if (mentionsIdentifier(text, "boundScales"))
-        declarations += "uniform vec4 boundScales[" + std::to_string(kMaxHeightLevels)
-            + "];\n" declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
+        declarations += "uniform vec4 boundScales[" + std::to_string(kMaxHeightLevels) + "];\n";
+    declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
     declare("samplerCube", "environmentMap");
     declare("sampler2D", "rayMap");
