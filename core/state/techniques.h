@@ -66,7 +66,7 @@ inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
         true, "Exact: down a pyramid of maxima to the cell, which is solved in closed form."},
     {"cell-cone", "Cell cones", "techniques/cell-cone.glsl", "height", "cell-cone", "heightMips shadows",
         "This program's own: cones and boxes over the bilinear cells, with proof", true, true, false, true,
-        "Exact, and the fewest fetches: leaps by boxes and cones of four nested nodes, cells solved in closed form."},
+        "Exact, with fewer fetches than the pyramid: leaps by boxes and cones of four nested nodes, cells solved in closed form."},
     {"reference", "Reference", "", "height", "", "", "Exact: ray against each bilinear cell in turn, double precision", true, true, false,
         true, "The exact answer that all others are measured against. CPU only."},
 });
