@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/frames.h"
 #include "core/mesh/raw_mesh.h"
+#include "core/mesh/value_hash.h"
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 #include <unordered_map>
@@ -28,22 +28,6 @@ std::string counted(std::size_t count, const char* one, const char* many)
 {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
-
-template <std::size_t N> using Key = std::array<float, N>;
-template <std::size_t N> struct KeyHash {
-    std::size_t operator()(const Key<N>& key) const
-    {
-        std::uint64_t h = 0xcbf29ce484222325u;
-        for (const float value : key) {
-            std::uint32_t bits;
-            const float positive = value + 0.f; // -0 equals 0
-            std::memcpy(&bits, &positive, sizeof bits);
-            h = (h ^ bits) * 0x9e3779b97f4a7c15u;
-            h ^= h >> 29;
-        }
-        return std::size_t(h);
-    }
-};
 
 // Keeps the triangles that `keep` accepts, and the parts in step with them.
 template <class Keep> std::size_t filterTriangles(RawMesh& raw, Keep keep)
@@ -107,7 +91,7 @@ void repairAttributes(RawMesh& raw)
 
 std::size_t distinctTuples(const RawMesh& raw)
 {
-    std::unordered_set<Key<8>, KeyHash<8>> tuples;
+    std::unordered_set<ValueKey<8>, ValueHash<8>> tuples;
     tuples.reserve(raw.corners.size());
     for (const Corner& corner : raw.corners) {
         const glm::vec3 p = raw.positions[corner.position];
@@ -120,7 +104,7 @@ std::size_t distinctTuples(const RawMesh& raw)
     std::vector<char> used(raw.positions.size(), 0);
     for (const Corner& corner : raw.corners)
         used[corner.position] = 1;
-    std::unordered_set<Key<3>, KeyHash<3>> unused;
+    std::unordered_set<ValueKey<3>, ValueHash<3>> unused;
     for (std::size_t i = 0; i < used.size(); ++i)
         if (!used[i])
             unused.insert({raw.positions[i].x, raw.positions[i].y, raw.positions[i].z});
@@ -156,7 +140,7 @@ struct Places {
 
 Places placesOf(const RawMesh& raw)
 {
-    std::unordered_map<Key<3>, std::uint32_t, KeyHash<3>> numbers;
+    std::unordered_map<ValueKey<3>, std::uint32_t, ValueHash<3>> numbers;
     std::vector<std::uint32_t> place(raw.corners.size());
     for (std::size_t i = 0; i < raw.corners.size(); ++i) {
         const glm::vec3 p = raw.positions[raw.corners[i].position];
@@ -279,7 +263,7 @@ glm::vec4 tangentOf(const RawMesh& raw, const Corner& corner)
 // Joins corners that agree in everything. Mirrored and unmirrored texture never share a vertex: their frames would cancel.
 std::vector<glm::vec4> joinCorners(const RawMesh& raw, Mesh& mesh)
 {
-    std::unordered_map<Key<13>, std::uint32_t, KeyHash<13>> numbers;
+    std::unordered_map<ValueKey<13>, std::uint32_t, ValueHash<13>> numbers;
     numbers.reserve(raw.corners.size());
     std::vector<glm::vec4> tangents;
     mesh.indices.reserve(raw.corners.size());
@@ -290,7 +274,7 @@ std::vector<glm::vec4> joinCorners(const RawMesh& raw, Mesh& mesh)
         const glm::vec3 p = raw.positions[corner.position], n = raw.normals[corner.normal];
         const glm::vec2 uv = raw.uvs[corner.uv];
         const glm::vec4 t = tangentOf(raw, corner);
-        const Key<13> key = {p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, t.x, t.y, t.z, t.w, mirrored ? 1.f : 0.f};
+        const ValueKey<13> key = {p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, t.x, t.y, t.z, t.w, mirrored ? 1.f : 0.f};
         const auto [found, isNew] = numbers.try_emplace(key, std::uint32_t(mesh.vertices.size()));
         if (isNew) {
             mesh.vertices.push_back({.position = p, .normal = n, .uv = uv, .tangent = {}, .dPdu = {}, .dPdv = {}});

@@ -2,9 +2,13 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/frames.h"
+#include "core/mesh/tangents.h"
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
+#include <map>
+#include <tuple>
 
 namespace relievo {
 
@@ -63,7 +67,32 @@ float largestSide(const Mesh& mesh)
     return side > 0.f && std::isfinite(side) ? side : 1.f;
 }
 
-// The Jacobian and tangent of one vertex from the weighted sums over its triangles (weight 0: none had usable UVs).
+// Gives each vertex the tangent of its corners; one whose corners have several (mirrored sides meet) is split.
+void splitByTangents(Mesh& mesh, std::span<const glm::vec4> fileTangents)
+{
+    const std::size_t before = mesh.vertices.size();
+    for (std::size_t i = 0; i < before; ++i)
+        mesh.vertices[i].tangent = fileTangents.empty() ? glm::vec4(0.f) : fileTangents[i];
+    if (!fileTangents.empty() && std::ranges::all_of(fileTangents, [](glm::vec4 t) { return t.w != 0.f; }))
+        return;
+    const std::vector<glm::vec4> tangents = cornerTangents(mesh);
+    std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> split; // by vertex and tangent
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::uint32_t at = mesh.indices[i];
+        const glm::vec4 t = tangents[i];
+        if (t.w == 0.f || (!fileTangents.empty() && fileTangents[at].w != 0.f) || mesh.vertices[at].tangent == t)
+            continue;
+        if (mesh.vertices[at].tangent.w != 0.f) {
+            const auto [found, isNew] = split.try_emplace({at, t.x, t.y, t.z, t.w}, std::uint32_t(mesh.vertices.size()));
+            if (isNew)
+                mesh.vertices.push_back(mesh.vertices[at]);
+            mesh.indices[i] = found->second;
+        }
+        mesh.vertices[mesh.indices[i]].tangent = t;
+    }
+}
+
+// The Jacobian of one vertex from the weighted sums over its triangles (weight 0: none had usable UVs), and a tangent if it has none.
 void setFrame(Vertex& vertex, float weight, float metresPerUV)
 {
     const glm::vec3 n = vertex.normal;
@@ -80,7 +109,8 @@ void setFrame(Vertex& vertex, float weight, float metresPerUV)
         vertex.dPdv = glm::cross(vertex.dPdu, n);
     }
     const float sign = glm::dot(glm::cross(vertex.dPdu, vertex.dPdv), n) < 0.f ? 1.f : -1.f; // v runs down: unmirrored is negative
-    vertex.tangent = glm::vec4(glm::normalize(vertex.dPdu), sign);
+    if (vertex.tangent.w == 0.f)
+        vertex.tangent = glm::vec4(glm::normalize(vertex.dPdu), sign);
 }
 } // namespace
 
@@ -88,6 +118,7 @@ void completeFrames(Mesh& mesh, std::span<const glm::vec4> fileTangents)
 {
     assert(fileTangents.empty() || fileTangents.size() == mesh.vertices.size());
     measureBounds(mesh);
+    splitByTangents(mesh, fileTangents);
     std::vector<float> weights(mesh.vertices.size(), 0.f);
     for (Vertex& vertex : mesh.vertices)
         vertex.dPdu = vertex.dPdv = glm::vec3(0.f);
@@ -108,11 +139,8 @@ void completeFrames(Mesh& mesh, std::span<const glm::vec4> fileTangents)
     }
     const double measured = uvArea > 0 ? std::sqrt(area / uvArea) : 0.0;
     mesh.metresPerUV = measured > 1e-12 && measured < 1e12 ? float(measured) : largestSide(mesh);
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         setFrame(mesh.vertices[i], weights[i], mesh.metresPerUV);
-        if (!fileTangents.empty() && fileTangents[i].w != 0.f)
-            mesh.vertices[i].tangent = fileTangents[i];
-    }
 }
 
 } // namespace relievo

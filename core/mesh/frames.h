@@ -14,7 +14,8 @@ float signedUVArea(glm::vec2 a, glm::vec2 b, glm::vec2 c);
 // Any unit vector at right angles to the unit vector n.
 glm::vec3 perpendicular(glm::vec3 n);
 
-// Fills dPdu, dPdv, tangent, bounds and metresPerUV from positions, unit normals, UVs and indices.
+// Fills dPdu, dPdv, tangent (tangents.h), bounds and metresPerUV from positions, unit normals, UVs and indices. A vertex whose
+// triangles want several tangents is split; the new ones stand at the end.
 // The Jacobian at a vertex is the area-weighted mean over its triangles without the part along the normal; where the UVs are
 // degenerate it becomes a right-angled frame of metresPerUV. Requires finite values and indices within `vertices` (asserted).
 // fileTangents: empty, or one per vertex; those with w = 0 are made, the others are kept.

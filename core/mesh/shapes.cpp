@@ -49,7 +49,7 @@ void makePlane(Mesh& mesh)
 // Around the y axis from +z towards +x.
 glm::vec3 around(float share)
 {
-    const float angle = 2.f * kPi * share;
+    const float angle = 2.f * kPi * (share - std::floor(share)); // seams close exactly
     return {std::sin(angle), 0.f, std::cos(angle)};
 }
 
@@ -89,7 +89,7 @@ void makeTorus(Mesh& mesh)
 {
     constexpr float kTube = 1.f / 7.f, kRing = 0.5f - kTube;
     addGrid(mesh, 120, 48, [](float s, float t) {
-        const float angle = 2.f * kPi * t; // from the inside over the top to the outside
+        const float angle = 2.f * kPi * (t - std::floor(t)); // from the inside over the top to the outside
         const glm::vec3 n = around(s) * -std::cos(angle) + glm::vec3(0.f, std::sin(angle), 0.f);
         return Point{kRing * around(s) + kTube * n, n, {5.f * s, 2.f * t}};
     });
