@@ -5,7 +5,10 @@
 // SPDX-License-Identifier: MIT
 in vec3 curvature; // fall = x du^2 + y dv^2 + z du dv, m, du and dv in UVs of the mesh
 
-float stretch = 1.0f; // of the search ray: its whole length over the way down to the depth of the relief below a plane
+// A ray sees the surface as a circle: radius and relief are told by the narrowing c = depth / radius, negative in hollows. Ways along it are
+// measured by w, its shift in texture space over that of a ray into a plane down to the full depth, since that is what the search sees.
+float stretch = 1.0f; // w at the end of the search along the ray of sight
+float narrowing = 0.0f; // c of that ray
 
 float fallOver(vec2 duv)
 {
@@ -14,22 +17,45 @@ float fallOver(vec2 duv)
     return gl_FrontFacing ? fall : -fall;
 }
 
-// The ray's bend per t^2, in depths of the relief.
-float bendOf(Ray ray, float depth)
+// The lateral way down to the full depth is depth * tan(angle of view); the circle falls by half its square over the radius.
+float narrowingOf(Ray ray, float depth)
 {
-    float k = fallOver(ray.duv) / max(depth, 1e-12f);
-    return abs(k) < 1e7f ? k : 0.0f;
+    float slant = max(1.0f / (ray.cosView * ray.cosView) - 1.0f, 1e-3f);
+    float c = 2.0f * fallOver(ray.duv) / (max(depth, 1e-12f) * slant);
+    // A quadric says nothing about depths near its radius.
+    return c == c ? clamp(c, -0.6f, 0.6f) : 0.0f;
 }
 
-// Its depth is t - k t^2: it comes to the floor, or out of the relief again when it bends more than that.
+// An angle over its sine.
+float overSine(float sine)
+{
+    return 1.0f + sine * sine * (1.0f / 6.0f + 0.075f * sine * sine);
+}
+
+// Way in space of a w, in ways to the full depth below a plane.
+float wayAt(Ray ray, float c, float w)
+{
+    float angle = w * c * sqrt(max(1.0f - ray.cosView * ray.cosView, 0.0f)) / ray.cosView;
+    return w / (1.0f / (1.0f + angle * angle / 3.0f) + c * w);
+}
+
+// The ray comes to the floor, where it has the depth 1, or passes the circle's middle at less and leaves again. The search sees a parabola
+// that begins with the same slope and ends on the floor where the ray does, or is as deep at its deepest.
 Ray sightRay(Frame frame, vec3 toEye, float depth)
 {
     Ray ray = rayInto(frame, textureUv, toEye, depth);
-    float k = bendOf(ray, depth);
-    bool leaves = k > 0.25f;
-    stretch = leaves ? 1.0f / k : 2.0f / (1.0f + sqrt(1.0f - 4.0f * k));
-    float bend = k * stretch * stretch;
-    curve = vec3(0.0f, leaves ? 1.0f - bend : -bend, bend);
+    float c = narrowingOf(ray, depth);
+    float sine = sqrt(max(1.0f - ray.cosView * ray.cosView, 0.0f));
+    float room = ray.cosView * ray.cosView - c * (2.0f - c);
+    if (room < 0.0f) {
+        stretch = 4.0f * ray.cosView * ray.cosView / ((1.0f + sine) * c);
+        curve = vec3(0.0f, 1.0f - stretch, stretch);
+    } else {
+        float share = (2.0f - c) / ((1.0f - c) * (ray.cosView + sqrt(room)));
+        stretch = share * ray.cosView * overSine(min(share * c * sine, 1.0f));
+        curve = vec3(0.0f, 1.0f - stretch, stretch - 1.0f);
+    }
+    narrowing = c;
     ray.duv *= stretch;
     return ray;
 }
@@ -53,23 +79,31 @@ Surface seen(Surface surface)
 {
     Ray ray = sightRay(surface.frame, surface.toEye, surface.depth);
     surface.hit = trace(ray);
-    surface.point = position - surface.toEye * (surface.depth / ray.cosView * stretch * surface.hit.t);
+    surface.point = position - surface.toEye * (surface.depth / ray.cosView * wayAt(ray, narrowing, stretch * surface.hit.t));
     surface.hit.t -= bendFrom(surface.hit.t).x;
     surface.frame = carried(surface.frame, surface.hit.uv - textureUv);
     return surface;
 }
 
-// From where the light enters the relief down to the point seen, which lies at ray.end. In a hollow the light may come in over the rim of the
-// quadric: then the ray begins at its highest point.
+// From where the light enters the relief down to the point seen, which lies at ray.end. In a hollow the light may come in over its rim:
+// then the ray begins at its highest point.
 Ray lightRay(Surface surface, vec3 toLight)
 {
     Ray ray = rayInto(surface.frame, surface.hit.uv, toLight, surface.depth);
-    float k = bendOf(ray, surface.depth);
-    float rim = 1.0f + 4.0f * k * surface.hit.t;
-    float enter = rim < 0.0f ? -0.5f / k : 2.0f * surface.hit.t / (1.0f + sqrt(rim));
-    float above = rim < 0.0f ? surface.hit.t - enter - k * enter * enter : 0.0f;
+    float c = narrowingOf(ray, surface.depth);
+    float t = surface.hit.t;
+    float room = 1.0f - c * t; // radius at the point over that of the surface
+    float sine = sqrt(max(1.0f - ray.cosView * ray.cosView, 0.0f));
+    float rim = 1.0f - room * room * sine * sine;
+    float share = t * (2.0f - c * t) / (sqrt(max(rim, 0.0f)) + room * ray.cosView);
+    float enter = max(share * ray.cosView * overSine(min(abs(share * c) * sine, 1.0f)), 1e-6f);
+    float top = 0.0f;
+    if (rim < 0.0f) // the way up is mirrored: w room / (1 - c w) without the bend
+        top = max(t - room * enter * (1.0f + 0.5f * c * enter * sine * sine / (ray.cosView * ray.cosView)) / max(1.0f - c * enter, 0.1f), 0.0f);
     float whole = max(enter, 1.0f);
-    curve = vec3(-above, 1.0f - whole * (1.0f + 2.0f * k * enter), k * whole * whole);
+    float grow = whole / enter;
+    float fall = t - top - room * enter; // of a parabola with the slope of the way at the point
+    curve = vec3(-top, 1.0f - (room * enter + 2.0f * fall) * grow, fall * grow * grow);
     ray.uv -= ray.duv * enter;
     ray.duv *= whole;
     ray.end = enter / whole;
