@@ -318,6 +318,7 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
     const std::vector<glm::vec4> tangents = joinCorners(raw, mesh);
     mesh.name = std::move(raw.name);
     mesh.parts = std::move(raw.parts);
+    mesh.materials = std::move(raw.materials);
     mesh.warnings = std::move(raw.warnings);
     completeFrames(mesh, tangents);
     progress.at(1.f);

@@ -4,6 +4,7 @@
 #pragma once
 #include "core/error.h"
 #include "core/progress.h"
+#include "core/state/map_slots.h"
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -33,11 +34,19 @@ struct MeshPart {
     std::uint32_t firstIndex = 0, indexCount = 0; // into Mesh::indices
 };
 
+// A material as the mesh file describes it; parts refer to it by name.
+struct MeshMaterial {
+    std::string name; // as MeshPart::material, each once
+    // As State::slots takes them: files that exist, absolute. A picture inside a glTF file is "FILE#N", which readImage understands.
+    MapSlots maps;
+};
+
 struct Mesh {
     std::string name;
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices; // triples
     std::vector<MeshPart> parts; // at least one
+    std::vector<MeshMaterial> materials; // empty when the file describes none; a part may name one that is not here
     glm::vec3 boundsMin{0.f}, boundsMax{0.f};
     float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted (design.md section 3); > 0
     bool fileHasUVs = true, fileHasNormals = true, fileHasTangents = false; // what the file held, before anything was made

@@ -15,7 +15,14 @@ namespace relievo {
 namespace {
 using Corner = RawMesh::Corner;
 
-// UTF-16 (with its mark) becomes UTF-8's ASCII part: OBJ keywords and numbers need no more. UTF-8's mark is removed.
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view kSpaces = " \t\r";
+    text.remove_prefix(std::min(text.find_first_not_of(kSpaces), text.size()));
+    return text.substr(0, text.find_last_not_of(kSpaces) + 1);
+}
+} // namespace
+
 std::string plainText(const std::string& text)
 {
     const bool bigEndian = text.starts_with("\xFE\xFF"), littleEndian = text.starts_with("\xFF\xFE");
@@ -29,6 +36,7 @@ std::string plainText(const std::string& text)
     return plain;
 }
 
+namespace {
 class ObjParser {
 public:
     ObjParser(std::string where, const Progress& progress) : m_where(std::move(where)), m_progress(progress) { }
@@ -82,21 +90,14 @@ private:
             m_object = trimmed(words.rest());
         } else if (keyword == "usemtl") {
             m_material = trimmed(words.rest());
+        } else if (keyword == "mtllib") {
+            m_libraries.emplace_back(trimmed(words.rest()));
         } else if (keyword == "l" || keyword == "p") {
             ++m_skipped;
         } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
             ++m_freeForm;
         }
         return {};
-    }
-
-    static std::string_view trimmed(std::string_view text)
-    {
-        while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-            text.remove_prefix(1);
-        while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
-            text.remove_suffix(1);
-        return text;
     }
 
     static glm::vec3 triple(TextCursor& words)
@@ -193,6 +194,7 @@ private:
             part.indexCount = std::uint32_t(sorted.size()) - part.firstIndex;
         }
         m_raw.corners = std::move(sorted);
+        m_raw.materials = readMtl(m_where, m_libraries, m_raw.warnings);
         warnOfLosses();
         return std::move(m_raw);
     }
@@ -214,6 +216,7 @@ private:
     const Progress& m_progress;
     RawMesh m_raw;
     std::string m_object, m_material;
+    std::vector<std::string> m_libraries;
     std::map<std::pair<std::string, std::string>, std::size_t> m_partNumbers;
     std::vector<Run> m_runs;
     std::vector<Corner> m_polygon;

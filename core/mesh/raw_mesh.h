@@ -20,6 +20,7 @@ struct RawMesh {
     std::vector<glm::vec4> tangents; // as glTF's
     std::vector<Corner> corners; // triples; every index lies within its list
     std::vector<MeshPart> parts; // firstIndex and indexCount count corners, in order and without gaps
+    std::vector<MeshMaterial> materials;
     Warnings warnings;
     // Made normals are averaged over neighbouring triangles that meet at less than this angle.
     float creaseDegrees = 50.f;
@@ -31,6 +32,10 @@ struct RawMesh {
 
 // Appends the triangles of a polygon: a fan where it is convex, else ears are cut. Polygons of fewer than three corners add nothing.
 void addPolygon(RawMesh& raw, std::span<const RawMesh::Corner> polygon);
+
+// The materials of the .mtl files that `names` (what follows "mtllib", one entry a line of the OBJ) lists. Missing or unreadable ones are
+// warnings "material-missing", missing pictures "map-missing"; texture options that are not followed "map-options".
+std::vector<MeshMaterial> readMtl(const std::filesystem::path& obj, std::span<const std::string> names, Warnings& warnings);
 
 // Drops what is not finite, makes missing normals and UVs, joins equal corners, computes frames; each told in `warnings`.
 // where: the file, for errors.
