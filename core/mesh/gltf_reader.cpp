@@ -193,6 +193,10 @@ private:
         const bool hasTangents = !from.tangents.empty() && space.keepsTangents();
         const auto base = Corner{std::uint32_t(m_raw.positions.size()), std::uint32_t(m_raw.normals.size()),
             std::uint32_t(m_raw.uvs.size()), std::uint32_t(m_raw.tangents.size())};
+        m_raw.positions.reserve(m_raw.positions.size() + from.vertices());
+        m_raw.normals.reserve(m_raw.normals.size() + from.normals.size() / 3);
+        m_raw.uvs.reserve(m_raw.uvs.size() + from.uvs.size() / 2);
+        m_raw.corners.reserve(m_raw.corners.size() + from.indices.size());
         for (std::size_t i = 0; i < from.points.size(); i += 3)
             m_raw.positions.emplace_back(world * glm::vec4(from.points[i], from.points[i + 1], from.points[i + 2], 1.f));
         for (std::size_t i = 0; i < from.normals.size(); i += 3)

@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text)
 }
 } // namespace
 
-std::string plainText(const std::string& text)
+std::string plainText(std::string text)
 {
     const bool bigEndian = text.starts_with("\xFE\xFF"), littleEndian = text.starts_with("\xFF\xFE");
     if (!bigEndian && !littleEndian)
@@ -178,25 +178,34 @@ private:
         if (m_raw.corners.empty())
             return failure(m_where, m_skipped > 0 ? "the file holds points and lines, but no faces" : "the file holds no faces",
                 "Export a surface of triangles or polygons");
-        std::vector<Corner> sorted;
-        sorted.reserve(m_raw.corners.size());
         std::stable_sort(m_runs.begin(), m_runs.end(), [](const Run& a, const Run& b) { return a.part < b.part; });
         m_raw.parts.resize(m_partNumbers.size());
         for (const auto& [key, number] : m_partNumbers) {
             m_raw.parts[number].name = key.first;
             m_raw.parts[number].material = key.second;
         }
+        std::size_t end = 0;
         for (const Run& run : m_runs) {
             MeshPart& part = m_raw.parts[run.part];
             if (part.indexCount == 0)
-                part.firstIndex = std::uint32_t(sorted.size());
-            sorted.insert(sorted.end(), m_raw.corners.begin() + std::ptrdiff_t(run.begin), m_raw.corners.begin() + std::ptrdiff_t(run.end));
-            part.indexCount = std::uint32_t(sorted.size()) - part.firstIndex;
+                part.firstIndex = std::uint32_t(end);
+            end += run.end - run.begin;
+            part.indexCount = std::uint32_t(end) - part.firstIndex;
         }
-        m_raw.corners = std::move(sorted);
+        if (!std::ranges::is_sorted(m_runs, {}, &Run::begin))
+            m_raw.corners = inOrderOfRuns();
         m_raw.materials = readMtl(m_where, m_libraries, m_raw.warnings);
         warnOfLosses();
         return std::move(m_raw);
+    }
+
+    std::vector<Corner> inOrderOfRuns() const
+    {
+        std::vector<Corner> sorted;
+        sorted.reserve(m_raw.corners.size());
+        for (const Run& run : m_runs)
+            sorted.insert(sorted.end(), m_raw.corners.begin() + std::ptrdiff_t(run.begin), m_raw.corners.begin() + std::ptrdiff_t(run.end));
+        return sorted;
     }
 
     void warnOfLosses()
@@ -226,12 +235,12 @@ private:
 
 Expected<RawMesh> readObj(const std::filesystem::path& file, const Progress& progress)
 {
-    const Expected<std::string> text = readText(file);
+    Expected<std::string> text = readText(file);
     if (!text)
         return tl::unexpected(text.error());
     if (text->empty())
         return failure(file.string(), "the file is empty", "Export it again");
-    return ObjParser(file.string(), progress).parse(plainText(*text));
+    return ObjParser(file.string(), progress).parse(plainText(std::move(*text)));
 }
 
 } // namespace relievo

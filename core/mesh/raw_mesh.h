@@ -26,6 +26,8 @@ struct RawMesh {
     float creaseDegrees = 50.f;
     // Whether a position that no triangle uses is a vertex of the file (in OBJ it is only a number to refer to).
     bool countsUnused = false;
+    // Whether the format lets triangles share vertices, so that equal ones are a waste.
+    bool sharesVertices = true;
 
     void warn(std::string code, std::string text) { warnings.push_back({std::move(code), std::move(text)}); }
 };
