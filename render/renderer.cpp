@@ -51,7 +51,8 @@ struct Renderer::Impl {
     {
         std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
             + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "")
-            + (features.coarser ? "/mips" : "");
+            + (features.coarser ? "/mips" : "") + '/' + std::to_string(features.frames) + (features.curved ? "/curved" : "")
+            + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
         return programs.get(
@@ -167,13 +168,18 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         program.set(uniforms);
         m->uploads.bindMaps(program, wrap, technique->bound, bound);
     };
-    if (const LinkedProgram* program = m->meshProgramFor(programFeatures(parameters, technique->key, view, maps, target.linear), error)) {
+    const ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
+    const int curvature = features.curved ? parameters.silhouettes : 0;
+    if (const LinkedProgram* program = m->meshProgramFor(features, error)) {
         use(*program);
-        // Faces towards the eye first: those behind them fail the depth test before they are searched.
+        // Faces towards the eye first: those behind them fail the depth test before they are searched. Past the outline of a closed mesh
+        // there is nothing: its inside must not show where the front is cut off.
         glEnable(GL_CULL_FACE);
         for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
+            if (hidden == GL_FRONT && features.curved && m->uploads.meshIsClosed())
+                break;
             glCullFace(hidden);
-            m->uploads.drawMesh(uniforms.pushOut != 0.f);
+            m->uploads.drawMesh(uniforms.pushOut != 0.f, curvature);
         }
         glDisable(GL_CULL_FACE);
     }
@@ -186,7 +192,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
             glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); // alpha stays the mesh's
             glEnable(GL_POLYGON_OFFSET_LINE);
             glPolygonOffset(-1.f, -1.f);
-            m->uploads.drawMesh(uniforms.pushOut != 0.f);
+            m->uploads.drawMesh(uniforms.pushOut != 0.f, 0);
             glDisable(GL_POLYGON_OFFSET_LINE);
             glDisable(GL_BLEND);
             glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/uploads.h"
 #include "core/maps/normal.h"
+#include "core/mesh/closed.h"
+#include "core/mesh/curvature.h"
 #include "core/mesh/push.h"
 #include <algorithm>
 #include <cmath>
@@ -211,7 +213,7 @@ void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload,
 void Uploads::hold(const Resources& resources)
 {
     if (resources.mesh != m_resources.mesh)
-        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer();
+        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(), m_closed.reset();
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     std::erase_if(m_bounds, [&](const auto& entry) {
@@ -302,7 +304,36 @@ void Uploads::bindMaps(
     }
 }
 
-void Uploads::drawMesh(bool pushed)
+namespace {
+// A buffer of one vector a vertex for attribute `location` of the vertex array that is bound.
+Buffer vectorAttribute(GLuint location, std::span<const glm::vec3> values)
+{
+    Buffer buffer = newBuffer();
+    glBindBuffer(GL_ARRAY_BUFFER, *buffer);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(values.size_bytes()), values.data(), GL_STATIC_DRAW);
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    return buffer;
+}
+
+std::vector<glm::vec3> falls(const Mesh& mesh, bool axes)
+{
+    const std::vector<Curvature> curvatures = vertexCurvatures(mesh);
+    std::vector<glm::vec3> values(curvatures.size());
+    std::ranges::transform(
+        curvatures, values.begin(), [axes](const Curvature& c) { return axes ? glm::vec3(c.axes, 0.f) : c.full; });
+    return values;
+}
+} // namespace
+
+bool Uploads::meshIsClosed()
+{
+    if (!m_closed)
+        m_closed = isClosed(*m_resources.mesh);
+    return *m_closed;
+}
+
+void Uploads::drawMesh(bool pushed, int curvature)
 {
     const Mesh& mesh = *m_resources.mesh;
     if (!m_vertexArray) {
@@ -323,13 +354,11 @@ void Uploads::drawMesh(bool pushed)
         attribute(4, 3, offsetof(Vertex, dPdv));
     }
     glBindVertexArray(*m_vertexArray);
-    if (pushed && !m_push) {
-        const auto directions = pushDirections(mesh);
-        m_push = newBuffer();
-        glBindBuffer(GL_ARRAY_BUFFER, *m_push);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(directions.size() * sizeof(glm::vec3)), directions.data(), GL_STATIC_DRAW);
-        glEnableVertexAttribArray(5);
-        glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    if (pushed && !m_push)
+        m_push = vectorAttribute(5, pushDirections(mesh));
+    if (curvature != 0 && (!m_curvature || m_curvatureKind != curvature)) {
+        m_curvature = vectorAttribute(6, falls(mesh, curvature == 1));
+        m_curvatureKind = curvature;
     }
     glDrawElements(GL_TRIANGLES, GLsizei(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);

@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,9 +38,11 @@ public:
     // bound: row of kMaps and texture of the technique, or nothing.
     void bindMaps(const LinkedProgram& program, Wrap wrap, std::string_view boundKey, const std::shared_ptr<const SearchTexture>& bound);
 
-    // Draws all triangles of the mesh. Attribute locations are those of mesh_vertex.glsl.
-    // pushed: with the directions of core/mesh/push.h, which are made only then.
-    void drawMesh(bool pushed);
+    // Draws all triangles of the mesh. Attribute locations are those of the vertex stage's files.
+    // pushed: with the directions of core/mesh/push.h, which are made only then. curvature: the parameter `silhouettes`; 0 wants none.
+    void drawMesh(bool pushed, int curvature);
+    // isClosed of the mesh, found when first asked for.
+    bool meshIsClosed();
 
     // How many textures lie in the context: tests see that nothing unused is uploaded.
     int textureCount() const;
@@ -66,7 +69,9 @@ private:
     std::map<std::string, UploadedBound, std::less<>> m_bounds;
     Texture m_environment;
     VertexArray m_vertexArray;
-    Buffer m_vertices, m_indices, m_push;
+    Buffer m_vertices, m_indices, m_push, m_curvature;
+    int m_curvatureKind = 0; // of what lies in m_curvature
+    std::optional<bool> m_closed;
 };
 
 } // namespace relievo

@@ -7,7 +7,7 @@ Hit bisected(Ray ray, Hit hit, float outside, float inside, int halvings)
     for (int i = 0; i < halvings; ++i) {
         float middle = 0.5f * (outside + inside);
         ++hit.fetches;
-        if (1.0f - heightAt(ray.uv + ray.duv * middle) <= middle)
+        if (1.0f - heightOn(ray, middle) <= middle)
             inside = middle;
         else
             outside = middle;

@@ -9,11 +9,12 @@ float cellRoot(vec4 h, vec2 p, vec2 slope, float z, float reach)
     float kx = h.y - h.x;
     float ky = h.z - h.x;
     float kxy = h.w - h.y - ky;
-    float c = z - (h.x + kx * p.x + ky * p.y + kxy * p.x * p.y);
+    vec3 bend = bendFrom(1.0f - z);
+    float c = z - (h.x + kx * p.x + ky * p.y + kxy * p.x * p.y) + bend.x;
     if (c <= 0.0f)
         return 0.0f;
-    float b = -1.0f - kx * slope.x - ky * slope.y - kxy * (p.x * slope.y + p.y * slope.x);
-    float a = -kxy * slope.x * slope.y;
+    float b = -1.0f - kx * slope.x - ky * slope.y - kxy * (p.x * slope.y + p.y * slope.x) + bend.y;
+    float a = bend.z - kxy * slope.x * slope.y;
     float discriminant = b * b - 4.0f * a * c;
     float s = 2.0f;
     if (discriminant >= 0.0f) {

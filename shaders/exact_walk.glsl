@@ -49,8 +49,9 @@ float exactDepth(Ray ray)
         float middle = 0.5f * (enter + leave);
         vec4 h = cornersAt(cell);
         vec2 p = start - cell;
-        float s = firstRoot(1.0f - enter - bilinear(h, p + slope * enter), 1.0f - middle - bilinear(h, p + slope * middle),
-            1.0f - leave - bilinear(h, p + slope * leave));
+        float s = firstRoot(1.0f - enter - bilinear(h, p + slope * enter) + bendFrom(enter).x,
+            1.0f - middle - bilinear(h, p + slope * middle) + bendFrom(middle).x,
+            1.0f - leave - bilinear(h, p + slope * leave) + bendFrom(leave).x);
         if (s <= 1.0f)
             return enter + s * (leave - enter);
         if (!(leave < 1.0f))

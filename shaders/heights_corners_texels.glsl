@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 vec4 cornersAt(vec2 cell)
 {
-    ivec2 size = textureSize(heightMap, searchLevel());
+    ivec2 size = ivec2(searchSize());
     ivec2 low = wrappedTexel(ivec2(cell), size);
     ivec2 high = wrappedTexel(ivec2(cell) + 1, size);
     return vec4(texelFetch(heightMap, low, searchLevel()).r, texelFetch(heightMap, ivec2(high.x, low.y), searchLevel()).r,

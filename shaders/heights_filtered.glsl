@@ -14,9 +14,10 @@ int searchLevel()
     return int(heightLevel);
 }
 
+// Not textureSize of the level: some drivers ask for one pixel's level and take it for its neighbours' too.
 vec2 searchSize()
 {
-    return vec2(textureSize(heightMap, searchLevel()));
+    return vec2(max(textureSize(heightMap, 0) >> searchLevel(), ivec2(1)));
 }
 
 float heightAt(vec2 uv)

@@ -10,8 +10,10 @@ void main()
     surface.frame = textureFrame();
     surface.toEye = normalize(eye - position);
     startSearch(surface.footprint);
-    surface.hit = trace(rayInto(surface.frame, textureUv, surface.toEye));
-    if (opacityAt(surface.hit.uv, surface.footprint) < 0.5f)
+    surface.depth = depthSeen(dot(surface.frame.normal, surface.toEye));
+    surface = seen(surface);
+    if (isHole(surface))
         discard;
+    writeDepth(surface.point);
     fragment = vec4(writeView(surface), 1.0f);
 }

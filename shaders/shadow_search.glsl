@@ -4,8 +4,7 @@
 // SPDX-License-Identifier: MIT
 bool lightIsHidden(Surface surface, vec3 toLight)
 {
-    Ray ray = rayInto(surface.frame, surface.hit.uv, toLight);
-    ray.uv -= ray.duv * surface.hit.t; // up to where the light enters the relief
-    ray.end = surface.hit.t - shadowSlack(ray);
+    Ray ray = lightRay(surface, toLight);
+    ray.end -= shadowSlack(ray);
     return ray.end > 0.0f && trace(ray).found;
 }

@@ -78,7 +78,8 @@ void makeCylinder(Mesh& mesh)
     for (const float side : {1.f, -1.f}) {
         addGrid(mesh, kColumns, 8, [side](float s, float t) {
             // Looking down on the top s must run against the side's turn for the triangles to face outwards.
-            const glm::vec3 p = kRadius * t * around(side > 0.f ? s : 1.f - s);
+            const float turn = std::round((side > 0.f ? s : 1.f - s) * float(kColumns)) / float(kColumns); // the side's own angles
+            const glm::vec3 p = kRadius * t * around(turn);
             return Point{p + glm::vec3(0.f, 0.5f * side, 0.f), {0.f, side, 0.f}, {0.5f + p.x / kTile, 0.5f + side * p.z / kTile}};
         });
     }

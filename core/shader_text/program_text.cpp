@@ -95,7 +95,7 @@ constexpr std::string_view typeName(const SceneMember& member)
 }
 
 // By Dialect.
-constexpr std::array<std::string_view, 2> kHeaders = {"#version 410 core\n",
+constexpr std::array<std::string_view, 2> kHeaders = {"#version 410 core\n#extension GL_ARB_conservative_depth : enable\n",
     "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n"
     "precision highp usampler2D;\n"};
 
@@ -211,6 +211,14 @@ std::string_view normalsFile(const std::set<MapKind>& maps)
 
 constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"};
 
+constexpr std::string_view kFrameFiles[] = {"frame_vertex.glsl", "frame_derivatives.glsl", "frame_thesis.glsl"};
+
+// Whether a view computes light.
+bool isLit(std::string_view view)
+{
+    return view == "shaded" || view == "invalid";
+}
+
 // What the technique reads its bound map by.
 void boundFiles(Assembly& part, const TechniqueRow& technique, std::string_view filtered, std::string_view volume)
 {
@@ -233,6 +241,8 @@ void searchFiles(Assembly& part, const TechniqueRow& technique, bool readsCorner
         part.file("wrapped_texel.glsl").file(coarser ? "heights_corners_texels.glsl" : "heights_corners.glsl");
     }
     boundFiles(part, technique, "bounds_filtered.glsl", "volume_filtered.glsl");
+    if (listHas(technique.maps, "height"))
+        part.file("height_on.glsl");
     part.file(technique.file);
 }
 
@@ -257,20 +267,28 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
                 .file(features.softShadows ? "shadow_soft.glsl" : "shadow_hard.glsl");
         else
             part.file("shadow_none.glsl");
-        if (features.view == "shaded")
+        if (isLit(features.view))
             part.file("environment.glsl").file(kShadingFiles[features.shading]);
         part.file(view->file);
     };
     Assembly draft(read);
-    draft.file("main.glsl");
+    draft.file("holes_cut.glsl");
     body(draft);
     const auto drafted = draft.finish();
     if (!drafted)
         return drafted;
 
     Assembly part(read);
-    part.file("contract.glsl").file("surface.glsl").generated(mapFunctions(features.maps, drafted->text));
+    part.file("contract.glsl")
+        .file(features.curved ? "bend_quadric.glsl" : "bend_none.glsl")
+        .file("surface.glsl")
+        .file(kFrameFiles[features.frames])
+        .file(features.faded ? "depth_faded.glsl" : "depth_constant.glsl")
+        .generated(mapFunctions(features.maps, drafted->text));
     searchFiles(part, *technique, features.view == "error", features.coarser);
+    part.file(features.curved ? "sight_curved.glsl" : "sight_straight.glsl")
+        .file(features.view == "outline" ? "holes_shown.glsl" : "holes_cut.glsl")
+        .file(features.depthOfHit ? "depth_of_hit.glsl" : "depth_of_polygon.glsl");
     body(part);
     if (view->isHeat)
         part.file("heat.glsl")
@@ -281,6 +299,11 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     else
         part.generated("vec3 writeView(Surface s) { return viewColor(s); }");
     return part.file("main.glsl").finish();
+}
+
+Expected<ShaderText> meshVertex(bool curved, const ShaderReader& read)
+{
+    return Assembly(read).file("place_rest.glsl").file(curved ? "curved_quadric.glsl" : "curved_none.glsl").file("mesh_vertex.glsl").finish();
 }
 
 Expected<ProgramText> program(Expected<ShaderText> vertex, Expected<ShaderText> fragment)
@@ -299,17 +322,21 @@ ProgramFeatures programFeatures(
 {
     ProgramFeatures features{std::string(technique), std::string(view), maps, 0, false, false, linear};
     const TechniqueRow* row = findTechnique(technique);
-    const bool lit = view == "shaded";
+    const bool lit = isLit(view);
     features.coarser = row && row->isExact && parameters.heightMips;
     features.shading = lit ? parameters.shading : 0;
     features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
+    features.frames = parameters.frames;
+    features.curved = parameters.silhouettes != 0 && row && row->searches;
+    features.depthOfHit = parameters.depthOfHit && row && row->displaces;
+    features.faded = parameters.edgeFade > 0.f;
     features.shadows = (lit || view == "shadow") && parameters.shadows && row && row->searches;
     return features;
 }
 
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read)
 {
-    return program(Assembly(read).file("mesh_vertex.glsl").finish(), meshFragment(features, read));
+    return program(meshVertex(features.curved, read), meshFragment(features, read));
 }
 
 Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read)
@@ -325,7 +352,7 @@ Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read)
 
 Expected<ProgramText> wireframeProgram(const ShaderReader& read)
 {
-    return program(Assembly(read).file("mesh_vertex.glsl").finish(), Assembly(read).file("wireframe.glsl").finish());
+    return program(meshVertex(false, read), Assembly(read).file("wireframe.glsl").finish());
 }
 
 Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect)
@@ -339,7 +366,9 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
         fragment.file("level_base.glsl")
             .file("wrapped_texel.glsl")
             .file(dialect == Dialect::Desktop ? "heights_corners.glsl" : "heights_corners_texels.glsl")
-            .file("heights_exact.glsl");
+            .file("heights_exact.glsl")
+            .file("bend_none.glsl")
+            .file("height_on.glsl");
     boundFiles(fragment, *row, "bounds_exact.glsl", "volume_exact.glsl");
     return program(
         Assembly(read, dialect).file("full_screen_vertex.glsl").finish(), fragment.file(row->file).file("trace_rays.glsl").finish());

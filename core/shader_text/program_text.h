@@ -24,6 +24,10 @@ struct ProgramFeatures {
     bool softShadows = false; // and by a light with a size
     bool linear = false; // Target::linear
     bool coarser = false; // an exact technique reads mip levels
+    int frames = 0; // the parameter
+    bool curved = false; // silhouettes
+    bool depthOfHit = false; // the parameter
+    bool faded = false; // edgeFade
     auto operator<=>(const ProgramFeatures&) const = default;
 };
 // The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.

@@ -33,6 +33,11 @@ struct Parameters { // the initialisers ARE the defaults
     bool provenStep = false;
     bool offsetLimiting = false;
     bool heightMips = true;
+    // On the mesh
+    int frames = 0;
+    int silhouettes = 0;
+    bool depthOfHit = false;
+    float edgeFade = 0.f;
     // Shadows
     bool shadows = true;
     float shadowStrength = 1.f;
@@ -66,8 +71,8 @@ struct Parameters { // the initialisers ARE the defaults
 // The kinds of parameter. A choice is an int whose row lists its options; a vec3 is a linear colour.
 using Member = std::variant<float Parameters::*, int Parameters::*, bool Parameters::*, glm::vec3 Parameters::*>;
 
-enum class Group { Shape, Search, Shadows, Shading, Light, View };
-inline constexpr std::array<std::string_view, 6> kGroupLabels = {"Shape", "Search", "Shadows", "Shading", "Light", "View"};
+enum class Group { Shape, Search, Mesh, Shadows, Shading, Light, View };
+inline constexpr std::array<std::string_view, 7> kGroupLabels = {"Shape", "Search", "On the mesh", "Shadows", "Shading", "Light", "View"};
 
 struct ParameterRow {
     Member member;
@@ -116,6 +121,17 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         "Drops the division by the view's height (Welsh 2004): steadier at grazing views, but too shallow there."},
     {&Parameters::heightMips, "heightMips", "Coarser far away", Group::Search, 0.f, 1.f, "", "technique", "",
         "Searches a coarser mip level of the height map where it is minified."},
+
+    {&Parameters::frames, "frames", "Frames", Group::Mesh, 0.f, 2.f, "", "", "vertex derivatives thesis",
+        "How the texture lies on the mesh: from the vertices, from the screen's derivatives (needs no tangents), or from those as the "
+        "thesis on derivative-based relief mapping has it, which loses skew."},
+    {&Parameters::silhouettes, "silhouettes", "Silhouettes", Group::Mesh, 0.f, 2.f, "", "technique", "off axes quadric",
+        "Bends the search ray over the curved mesh and cuts off what is past the outline: curvature along the tangents only as in the papers "
+        "(axes), or the whole quadric."},
+    {&Parameters::depthOfHit, "depthOfHit", "Depth of the relief", Group::Mesh, 0.f, 1.f, "", "", "",
+        "Writes the depth of the point seen instead of the polygon's, so that surfaces meet where their relief does."},
+    {&Parameters::edgeFade, "edgeFade", "Fade at edges", Group::Mesh, 0.f, 1.f, "cos", "", "",
+        "Makes the relief shallow where the surface is seen edge-on: below this cosine of view; 0 keeps its depth."},
 
     {&Parameters::shadows, "shadows", "Self-shadows", Group::Shadows, 0.f, 1.f, "", "technique", "",
         "Relief casts hard shadows on itself, found by the same search towards the light."},

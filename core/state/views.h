@@ -25,6 +25,11 @@ inline constexpr auto kViews = std::to_array<ViewRow>({
     {"depth", "Depth", "views/depth.glsl", "depth", true, false, "Depth that the search found: 0 on the surface, 1 deepest."},
     {"fetches", "Fetches", "views/fetches.glsl", "fetches", true, false, "Texture reads of the search at each pixel."},
     {"shadow", "Shadow", "views/shadow.glsl", "", false, false, "Self-shadow alone: white lit, black shadowed."},
+    {"position", "Position", "views/position.glsl", "", false, false,
+        "World-space position of the point seen in metres, x red, y green, z blue; for float pictures."},
+    {"outline", "Outline", "views/outline.glsl", "", false, false, "What silhouettes cut off the mesh, in red."},
+    {"invalid", "Invalid", "views/invalid.glsl", "pixels", true, false,
+        "Pixels whose light is not a number, from broken meshes or maps. There should be none."},
     {"error", "Error", "views/error.glsl", "depth", true, false,
         "Difference between the depth found and the exact first hit at full resolution, as a share of the depth."},
 });

@@ -41,6 +41,8 @@ struct Machine : Parameters {
     vec2 searchSize() const { return vec2(boundSize()); }
     ivec2 boundSize() const { return textureSize(heightMap, 0); }
     float heightAt(vec2 uv) const { return heightMap->at(uv); }
+#include "shaders/bend_quadric.glsl"
+#include "shaders/height_on.glsl"
     vec4 cornersAt(vec2 cell) const
     {
         const HeightField::Corners c = heightMap->corners(int(cell.x), int(cell.y));
@@ -122,17 +124,18 @@ namespace relievo {
 
 namespace {
 
-using Search = glsl::Hit (*)(const Parameters&, const SearchMaps&, glsl::Ray);
+using Search = glsl::Hit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glsl::vec2);
 struct SearchRow {
     std::string_view file;
     Search search;
 };
 
-template <class Technique> glsl::Hit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray)
+template <class Technique> glsl::Hit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray, glsl::vec2 bend)
 {
     Technique technique;
     static_cast<Parameters&>(technique) = parameters;
     technique.boundMap = maps.bound.get();
+    technique.curve = {0.f, bend};
     if (maps.height) {
         technique.heightMap = &*maps.height;
         technique.wrap = maps.height->wrap() == Wrap::Clamp ? 1 : 0;
@@ -156,7 +159,7 @@ SearchHit searched(Search search, const Parameters& parameters, const SearchMaps
 {
     if (!finite(ray))
         return {};
-    const glsl::Hit hit = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f});
+    const glsl::Hit hit = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec2(ray.bend));
     return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches};
 }
 

@@ -27,7 +27,7 @@ Hit trace(Ray ray)
     vec2 border = size * ahead;
     float beyond = wrap == 1 ? 2.0f : 0.0f; // beyond a clamped border a node goes on
     float lowest = 1.0f - ray.end;
-    Walk walk = walkFrom(ray, slope, size, max(1.0f - scale.w, 0.0f));
+    Walk walk = walkFrom(ray, slope, size, max(1.0f - scale.w, 0.0f) / (1.0f + bendRise(0.0f)));
     int fetches = 0;
     int i = 0;
     while (i < 65536 && walk.z > lowest) {
@@ -39,14 +39,15 @@ Hit trace(Ray ray)
             ivec2 key = ivec2(clamp(walk.cell, vec2(0.0f), size - 1.0f));
             uvec4 codes = cellCodes(key);
             ++fetches;
-            vec4 above = vec4(walk.z - scale.x) - vec4(codes >> 8u) * capUnit;
+            float rise = 1.0f + bendRise(1.0f - walk.z);
+            vec4 above = vec4(walk.z - scale.x + bendFrom(1.0f - walk.z).x) - vec4(codes >> 8u) * capUnit;
             vec4 steep = vec4(codes & 255u);
-            vec4 cone = above / (1.0f + steep * steep * steepUnit);
+            vec4 cone = above / (rise + steep * steep * steepUnit);
             vec4 wallX = min(vec4(ivec4(key.x) & ivec4(-1, -4, -16, -64)) + spanX, vec4(size.x));
             vec4 wallY = min(vec4(ivec4(key.y) & ivec4(-1, -4, -16, -64)) + spanY, vec4(size.y));
             vec4 leaveX = (wallX - walk.cell.x - walk.p.x) * inverse.x + vec4(equal(wallX, vec4(border.x))) * beyond;
             vec4 leaveY = (wallY - walk.cell.y - walk.p.y) * inverse.y + vec4(equal(wallY, vec4(border.y))) * beyond;
-            vec4 leap = max(min(min(leaveX, leaveY), above), cone);
+            vec4 leap = max(min(min(leaveX, leaveY), above / rise), cone);
             best = max(max(max(leap.x, leap.y), max(leap.z, leap.w)), 0.0f);
 
             vec2 toWall = (ahead - walk.p) * inverse;
@@ -67,5 +68,5 @@ Hit trace(Ray ray)
         }
         walk = moved(walk, slope, size, leave * (1.0f + 2e-7f) + past);
     }
-    return Hit(ray.uv + ray.duv * ray.end, ray.end, ray.end >= 1.0f, fetches);
+    return Hit(ray.uv + ray.duv * ray.end, ray.end, endsOnFloor(ray), fetches);
 }

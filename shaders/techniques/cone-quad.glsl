@@ -17,7 +17,7 @@ Hit trace(Ray ray)
     float outside = 0.0f;
     for (int i = 0; i < leapSteps; ++i) {
         vec2 uv = ray.uv + ray.duv * hit.t;
-        float above = 1.0f - hit.t - heightAt(uv);
+        float above = 1.0f - hit.t - heightAt(uv) + bendFrom(hit.t).x;
         ++hit.fetches;
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
@@ -25,10 +25,10 @@ Hit trace(Ray ray)
         ++hit.fetches;
         float ratio = root * root * scale;
         outside = hit.t;
-        hit.t += coneLeap(above, ratio, travel);
+        hit.t += coneLeap(above, ratio, travel, bendRise(outside));
         if (hit.t >= ray.end) {
             hit.t = ray.end;
-            hit.found = ray.end >= 1.0f;
+            hit.found = endsOnFloor(ray);
             break;
         }
     }

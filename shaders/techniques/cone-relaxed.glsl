@@ -15,14 +15,14 @@ Hit trace(Ray ray)
     for (int i = 0; i < leapSteps; ++i) {
         vec4 bound = boundAt(ray.uv + ray.duv * hit.t);
         ++hit.fetches;
-        float above = clamp(1.0f - hit.t - bound.x, 0.0f, 1.0f);
+        float above = clamp(1.0f - hit.t - bound.x + bendFrom(hit.t).x, 0.0f, 1.0f);
         if (lastBracket && above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
         float ratio = bound.y * bound.y * boundScale().y;
         outside = hit.t;
-        hit.t = min(ray.end, hit.t + coneLeap(above, ratio, travel));
+        hit.t = min(ray.end, hit.t + coneLeap(above, ratio, travel, bendRise(outside)));
     }
-    hit.found = ray.end >= 1.0f || hit.t < ray.end;
+    hit.found = endsOnFloor(ray) || hit.t < ray.end;
     hit.uv = ray.uv + ray.duv * hit.t;
     if (lastBracket)
         return hit;
@@ -32,10 +32,10 @@ Hit trace(Ray ray)
     for (int i = 0; i < refineSteps; ++i) {
         ++hit.fetches;
         range *= 0.5f;
-        t += t < 1.0f - heightAt(ray.uv + ray.duv * t) ? range : -range;
+        t += t < 1.0f - heightOn(ray, t) ? range : -range;
     }
     hit.t = t;
-    hit.found = ray.end >= 1.0f || t < ray.end * 0.99f;
+    hit.found = endsOnFloor(ray) || t < ray.end * 0.99f;
     hit.uv = ray.uv + ray.duv * t;
     return hit;
 }

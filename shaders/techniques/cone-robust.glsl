@@ -17,7 +17,7 @@ Hit trace(Ray ray)
         vec2 uv = ray.uv + ray.duv * hit.t;
         vec4 bound = boundAt(uv);
         ++hit.fetches;
-        float above = 1.0f - hit.t - bound.x;
+        float above = 1.0f - hit.t - bound.x + bendFrom(hit.t).x;
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
         float ratio = bound.y * bound.y * boundScale().y;
@@ -25,12 +25,12 @@ Hit trace(Ray ray)
         p = p - floor(p);
         float toWallU = slope.x != 0.0f ? ((slope.x > 0.0f ? 1.0f : 0.0f) - p.x) / slope.x : 2.0f;
         float toWallV = slope.y != 0.0f ? ((slope.y > 0.0f ? 1.0f : 0.0f) - p.y) / slope.y : 2.0f;
-        float leap = coneLeap(above, ratio, travel);
         outside = hit.t;
+        float leap = coneLeap(above, ratio, travel, bendRise(outside));
         hit.t += max(leap, min(toWallU, toWallV) + 1e-5f); // their constant, in depth
         if (hit.t >= ray.end) {
             hit.t = ray.end;
-            hit.found = ray.end >= 1.0f;
+            hit.found = endsOnFloor(ray);
             if (hit.found) // the floor: inside without asking
                 return bisected(ray, hit, outside, 1.0f, refineSteps);
             break;

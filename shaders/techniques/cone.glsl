@@ -14,15 +14,15 @@ Hit trace(Ray ray)
     for (int i = 0; i < leapSteps; ++i) {
         vec4 bound = boundAt(ray.uv + ray.duv * hit.t);
         ++hit.fetches;
-        float above = 1.0f - hit.t - bound.x;
+        float above = 1.0f - hit.t - bound.x + bendFrom(hit.t).x;
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
         float ratio = bound.y * bound.y * boundScale().y;
         outside = hit.t;
-        hit.t += coneLeap(above, ratio, travel);
+        hit.t += coneLeap(above, ratio, travel, bendRise(outside));
         if (hit.t >= ray.end) {
             hit.t = ray.end;
-            hit.found = ray.end >= 1.0f;
+            hit.found = endsOnFloor(ray);
             break;
         }
     }

@@ -15,7 +15,7 @@ Hit trace(Ray ray)
     float gapInside = 0.0f;
     for (int i = 1; i <= steps && !hit.found; ++i) {
         float t = ray.end * (float(i) / float(steps));
-        float gap = 1.0f - t - heightAt(ray.uv + ray.duv * t);
+        float gap = 1.0f - t - heightOn(ray, t);
         ++hit.fetches;
         if (gap <= 0.0f) {
             hit.found = true;
@@ -30,7 +30,7 @@ Hit trace(Ray ray)
         return hit;
     hit.t = secantOf(outside, inside, gapOutside, gapInside);
     for (int i = 0; i < refineSteps; ++i) {
-        float gap = 1.0f - hit.t - heightAt(ray.uv + ray.duv * hit.t);
+        float gap = 1.0f - hit.t - heightOn(ray, hit.t);
         ++hit.fetches;
         if (gap <= 0.0f) {
             inside = hit.t;

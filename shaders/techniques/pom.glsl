@@ -13,7 +13,7 @@ Hit trace(Ray ray)
     float outside = 0.0f;
     for (int i = 1; i <= steps; ++i) {
         float t = ray.end * (float(i) / float(steps));
-        float next = 1.0f - t - heightAt(ray.uv + ray.duv * t);
+        float next = 1.0f - t - heightOn(ray, t);
         if (next <= 0.0f) {
             float found = secantOf(outside, t, gap, next);
             return Hit(ray.uv + ray.duv * found, found, true, i + 1);

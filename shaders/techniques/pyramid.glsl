@@ -15,7 +15,7 @@ Hit trace(Ray ray)
     vec2 ahead = vec2(slope.x < 0.0f ? 0.0f : 1.0f, slope.y < 0.0f ? 0.0f : 1.0f);
     float texels = max(abs(slope.x), abs(slope.y));
     float past = 1e-5f / max(texels, 1e-3f); // a hundred-thousandth of a texel beyond a wall
-    Hit miss = Hit(ray.uv + ray.duv * ray.end, ray.end, ray.end >= 1.0f, 0);
+    Hit miss = Hit(ray.uv + ray.duv * ray.end, ray.end, endsOnFloor(ray), 0);
     if (!(texels < 1e12f))
         return Hit(ray.uv + ray.duv, 1.0f, false, 0);
 
@@ -48,6 +48,7 @@ Hit trace(Ray ray)
         if (level > 0) {
             int slot = ((base.x - 1) >> (first + level)) + 1;
             float highest = boundTexel(ivec2((level - 1) * slot + int(node.x), shelf + int(node.y)));
+            highest -= bendLeast(1.0f - walk.z, 1.0f - walk.z + leave);
             if (walk.z - highest < leave) {
                 walk = moved(walk, slope, size, max(walk.z - highest, 0.0f));
                 --level;

@@ -14,12 +14,12 @@ Hit trace(Ray ray)
     for (int i = 1; i < steps; ++i) {
         float t = size * float(i);
         ++hit.fetches;
-        if (1.0f - heightAt(ray.uv + ray.duv * t) <= t) {
+        if (1.0f - heightOn(ray, t) <= t) {
             inside = t;
             break;
         }
     }
     hit = bisected(ray, hit, inside - size, inside, doublePrecision ? 5 : 6);
-    hit.found = ray.end >= 1.0f || hit.t < ray.end - 0.01f * size; // a shadow ray that got through ends on its own point
+    hit.found = endsOnFloor(ray) || hit.t < ray.end - 0.01f * size; // a shadow ray that got through ends on its own point
     return hit;
 }

@@ -14,7 +14,7 @@ Hit trace(Ray ray)
     for (int i = 1; i <= steps; ++i) {
         float t = ray.end * (float(i) / float(steps)); // not a running sum: that would miss the floor
         ++hit.fetches;
-        if (1.0f - heightAt(ray.uv + ray.duv * t) <= t) {
+        if (1.0f - heightOn(ray, t) <= t) {
             hit.found = true;
             return bisected(ray, hit, outside, t, refineSteps);
         }

@@ -5,12 +5,12 @@
 // SPDX-License-Identifier: MIT
 Hit trace(Ray ray)
 {
-    float speed = sqrt(dot(ray.duv, ray.duv) + 0.0625f); // of the ray in that metric
+    float speed = sqrt(dot(ray.duv, ray.duv) + 0.0625f * depthRate() * depthRate()); // of the ray in that metric
     float t = 0.0f;
     int leaps = 0;
     while (leaps < leapSteps && t < ray.end) {
         vec2 uv = ray.uv + ray.duv * t;
-        float root = distanceAt(vec3(uv.x, uv.y, t));
+        float root = distanceAt(vec3(uv.x, uv.y, t - bendFrom(t).x));
         ++leaps;
         float leap = root * root * boundScale().x / speed;
         if (!(leap > 1e-5f))
@@ -19,5 +19,5 @@ Hit trace(Ray ray)
     }
     bool through = t >= ray.end;
     t = min(t, ray.end);
-    return Hit(ray.uv + ray.duv * t, t, !through || ray.end >= 1.0f, leaps);
+    return Hit(ray.uv + ray.duv * t, t, !through || endsOnFloor(ray), leaps);
 }

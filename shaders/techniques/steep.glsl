@@ -9,7 +9,7 @@ Hit trace(Ray ray)
     int steps = stepsFor(ray);
     for (int i = 1; i <= steps; ++i) {
         float t = ray.end * (float(i) / float(steps));
-        if (1.0f - heightAt(ray.uv + ray.duv * t) <= t)
+        if (1.0f - heightOn(ray, t) <= t)
             return Hit(ray.uv + ray.duv * t, t, true, i);
     }
     return Hit(ray.uv + ray.duv * ray.end, ray.end, false, steps);

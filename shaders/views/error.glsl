@@ -5,5 +5,6 @@
 
 float viewValue(Surface surface)
 {
-    return abs(surface.hit.t - exactDepth(rayInto(surface.frame, textureUv, surface.toEye)));
+    float exact = exactDepth(sightRay(textureFrame(), surface.toEye, surface.depth));
+    return abs(surface.hit.t - (exact - bendFrom(exact).x));
 }

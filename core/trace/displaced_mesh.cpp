@@ -1,0 +1,257 @@
+// Micro-triangles of a displaced mesh in Embree.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trace/displaced_mesh.h"
+#include "core/mesh/push.h"
+#include "core/shader_text/scene_uniforms.h"
+#include "core/state/state.h"
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <embree3/rtcore.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+#include <tbb/parallel_for.h>
+
+namespace relievo {
+
+struct DisplacedMesh::Impl {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    std::size_t triangles = 0;
+    std::atomic<std::ptrdiff_t> bytes = 0;
+    float coarseness = 1.f;
+    Impl() = default;
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl()
+    {
+        if (scene)
+            rtcReleaseScene(scene);
+        if (device)
+            rtcReleaseDevice(device);
+    }
+};
+
+namespace {
+
+// The base mesh and what displaces it.
+struct Base {
+    const Mesh& mesh;
+    const HeightField& field;
+    std::vector<glm::vec3> push;
+    SceneUniforms uniforms;
+
+    glm::vec3 position(std::uint32_t vertex) const
+    {
+        return mesh.vertices[vertex].position + (push.empty() ? glm::vec3(0.f) : push[vertex] * uniforms.pushOut);
+    }
+    glm::vec2 uv(std::uint32_t vertex) const { return uniforms.textureFromMesh * mesh.vertices[vertex].uv + uniforms.textureShift; }
+
+    glm::vec3 displaced(const std::uint32_t* corners, glm::vec3 weights) const
+    {
+        glm::vec3 place(0.f), normal(0.f);
+        glm::dvec2 at(0.);
+        for (int k = 0; k < 3; ++k) {
+            place += position(corners[k]) * weights[k];
+            normal += mesh.vertices[corners[k]].normal * weights[k];
+            at += glm::dvec2(uv(corners[k])) * double(weights[k]);
+        }
+        const float length = glm::length(normal);
+        const float down = (1.f - field.at(glm::vec2(at))) * uniforms.reliefDepth;
+        return length > 0.f ? place - normal * (down / length) : place;
+    }
+};
+
+// Pieces along each side of a triangle.
+double piecesWanted(const Base& base, const std::uint32_t* corners, float finest)
+{
+    const glm::vec2 size(float(base.field.width()), float(base.field.height()));
+    double wanted = 1.;
+    for (int k = 0; k < 3; ++k) {
+        const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
+        const double texels = 2. * double(glm::length((base.uv(b) - base.uv(a)) * size));
+        const double finestPieces = finest > 0.f ? double(glm::length(base.position(b) - base.position(a)) / finest) : 1e9;
+        wanted = std::max(wanted, std::min(texels, finestPieces));
+    }
+    return std::isfinite(wanted) ? wanted : 1.;
+}
+
+// Of a point in a triangle's grid: row i from the first corner, j-th in it.
+std::uint32_t gridIndex(std::uint32_t i, std::uint32_t j)
+{
+    return i * (i + 1) / 2 + j;
+}
+
+// The grid of one triangle: (pieces + 1) (pieces + 2) / 2 points and pieces^2 micro-triangles.
+void cut(const Base& base, const std::uint32_t* corners, std::uint32_t pieces, float* vertices, std::uint32_t firstVertex,
+    std::uint32_t* triangles)
+{
+    for (std::uint32_t i = 0; i <= pieces; ++i)
+        for (std::uint32_t j = 0; j <= i; ++j) {
+            const glm::vec3 weights(float(pieces - i) / float(pieces), float(i - j) / float(pieces), float(j) / float(pieces));
+            const glm::vec3 point = base.displaced(corners, weights);
+            float* out = vertices + std::size_t(gridIndex(i, j)) * 3;
+            out[0] = point.x, out[1] = point.y, out[2] = point.z;
+        }
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        *triangles++ = firstVertex + a, *triangles++ = firstVertex + b, *triangles++ = firstVertex + c;
+    };
+    for (std::uint32_t i = 0; i < pieces; ++i)
+        for (std::uint32_t j = 0; j <= i; ++j) {
+            add(gridIndex(i, j), gridIndex(i + 1, j), gridIndex(i + 1, j + 1));
+            if (j < i)
+                add(gridIndex(i, j), gridIndex(i + 1, j + 1), gridIndex(i, j + 1));
+        }
+}
+
+// How the triangles are cut, and where their grids lie in the buffers.
+struct Plan {
+    std::vector<std::uint32_t> pieces;
+    std::vector<std::size_t> firstVertex, firstTriangle; // one more than triangles: the last is the total
+    float coarseness = 1.f;
+};
+
+Plan plan(const Base& base, const DisplacedMesh::Detail& detail)
+{
+    const std::size_t count = base.mesh.indices.size() / 3;
+    std::vector<double> wanted(count);
+    tbb::parallel_for(
+        std::size_t(0), count, [&](std::size_t i) { wanted[i] = piecesWanted(base, &base.mesh.indices[3 * i], detail.finest); });
+    double total = 0.;
+    for (const double w : wanted)
+        total += w * w;
+    const double scale = std::min(1., std::sqrt(double(detail.maxTriangles) / std::max(total, 1.)));
+    Plan result;
+    result.coarseness = float(1. / scale);
+    std::size_t vertices = 0, triangles = 0;
+    for (const double w : wanted) {
+        const auto pieces = std::uint32_t(std::clamp(scale < 1. ? std::floor(w * scale) : std::ceil(w), 1., 4096.));
+        result.firstVertex.push_back(vertices), result.firstTriangle.push_back(triangles);
+        result.pieces.push_back(pieces);
+        vertices += std::size_t(pieces + 1) * (pieces + 2) / 2, triangles += std::size_t(pieces) * pieces;
+    }
+    result.firstVertex.push_back(vertices), result.firstTriangle.push_back(triangles);
+    return result;
+}
+
+bool countMemory(void* user, ssize_t bytes, bool)
+{
+    *static_cast<std::atomic<std::ptrdiff_t>*>(user) += bytes;
+    return true;
+}
+
+Error noEmbree(RTCDevice device)
+{
+    const bool memory = rtcGetDeviceError(device) == RTC_ERROR_OUT_OF_MEMORY;
+    return {memory ? "there is not enough memory for the displaced mesh" : "Embree cannot be used", "reference",
+        memory ? "Take a smaller picture or a mesh with fewer tiles" : "Check its installation"};
+}
+} // namespace
+
+Expected<DisplacedMesh> DisplacedMesh::build(
+    const Mesh& mesh, const HeightField& field, const Parameters& parameters, const Detail& detail, const Progress& progress)
+{
+    Base base{mesh, field, {}, sceneUniforms(parameters, {}, mesh.metresPerUV)};
+    base.uniforms.pushOut = (1.f - parameters.midlevel) * base.uniforms.reliefDepth;
+    if (base.uniforms.pushOut != 0.f)
+        base.push = pushDirections(mesh);
+    const Plan cuts = plan(base, detail);
+
+    const auto impl = std::make_shared<Impl>();
+    impl->triangles = cuts.firstTriangle.back();
+    impl->coarseness = cuts.coarseness;
+    impl->device = rtcNewDevice(nullptr);
+    if (!impl->device)
+        return tl::unexpected(noEmbree(nullptr));
+    rtcSetDeviceMemoryMonitorFunction(impl->device, countMemory, &impl->bytes);
+    impl->scene = rtcNewScene(impl->device);
+    rtcSetSceneFlags(impl->scene, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
+    RTCGeometry geometry = rtcNewGeometry(impl->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), cuts.firstVertex.back()));
+    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), cuts.firstTriangle.back()));
+    if (vertices && indices) {
+        std::atomic<std::size_t> done = 0;
+        tbb::parallel_for(std::size_t(0), cuts.pieces.size(), [&](std::size_t i) {
+            if (progress.cancelled())
+                return;
+            cut(base, &mesh.indices[3 * i], cuts.pieces[i], vertices + 3 * cuts.firstVertex[i], std::uint32_t(cuts.firstVertex[i]),
+                indices + 3 * cuts.firstTriangle[i]);
+            if (++done % 256 == 0)
+                progress.at(0.5f * float(done) / float(cuts.pieces.size()));
+        });
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(impl->scene, geometry);
+    }
+    rtcReleaseGeometry(geometry);
+    if (progress.cancelled())
+        return failure("reference", "cancelled");
+    if (!vertices || !indices)
+        return tl::unexpected(noEmbree(impl->device));
+    rtcCommitScene(impl->scene);
+    if (rtcGetDeviceError(impl->device) != RTC_ERROR_NONE)
+        return tl::unexpected(noEmbree(impl->device));
+    DisplacedMesh result;
+    result.m = impl;
+    return result;
+}
+
+DisplacedMesh::Detail DisplacedMesh::detailFor(const Mesh& mesh, const CameraView& camera, float fovDegrees, int height)
+{
+    const glm::vec3 centre = 0.5f * (mesh.boundsMin + mesh.boundsMax);
+    const float radius = 0.5f * glm::length(mesh.boundsMax - mesh.boundsMin), toCentre = glm::length(camera.eye - centre);
+    const float nearest = std::max(toCentre - radius, 0.05f * toCentre);
+    return {.finest = 0.5f * nearest * 2.f * std::tan(0.5f * glm::radians(fovDegrees)) / float(std::max(height, 1))};
+}
+
+float DisplacedMesh::distance(glm::vec3 origin, glm::vec3 direction) const
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit ray{};
+    ray.ray = {origin.x, origin.y, origin.z, 0.f, direction.x, direction.y, direction.z, 0.f, std::numeric_limits<float>::infinity(), ~0u, 0, 0};
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(m->scene, &context, &ray);
+    return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity() : ray.ray.tfar;
+}
+
+std::size_t DisplacedMesh::triangles() const
+{
+    return m->triangles;
+}
+std::size_t DisplacedMesh::bytes() const
+{
+    return std::size_t(std::max<std::ptrdiff_t>(m->bytes, 0));
+}
+float DisplacedMesh::coarseness() const
+{
+    return m->coarseness;
+}
+
+Expected<std::vector<float>> distancesSeen(
+    const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress)
+{
+    std::vector<float> distances(std::size_t(width) * std::size_t(height));
+    const glm::mat4 worldFromClip = glm::inverse(camera.clipFromView * camera.viewFromWorld);
+    std::atomic<int> done = 0;
+    tbb::parallel_for(0, height, [&](int y) {
+        if (progress.cancelled())
+            return;
+        for (int x = 0; x < width; ++x) {
+            const glm::vec4 clip(2.f * (float(x) + 0.5f) / float(width) - 1.f, 1.f - 2.f * (float(y) + 0.5f) / float(height), 0.f, 1.f);
+            const glm::vec4 world = worldFromClip * clip;
+            distances[std::size_t(y) * std::size_t(width) + std::size_t(x)]
+                = surface.distance(camera.eye, glm::normalize(glm::vec3(world) / world.w - camera.eye));
+        }
+        progress.at(float(++done) / float(height));
+    });
+    if (progress.cancelled())
+        return failure("reference", "cancelled");
+    return distances;
+}
+
+} // namespace relievo

@@ -1,0 +1,45 @@
+// The exact answer on a mesh: the displaced surface itself, as micro-triangles traced by Embree.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/error.h"
+#include "core/image/height_field.h"
+#include "core/mesh/mesh.h"
+#include "core/progress.h"
+#include "core/state/camera_view.h"
+#include "core/state/parameters.h"
+#include <memory>
+#include <vector>
+
+namespace relievo {
+
+// Every point of the mesh, pushed out for the midlevel, then moved in along the interpolated unit normal by the relief's depth there
+// (height field bilinear; design.md section 3). Its triangles are cut into micro-triangles of half a texel.
+class DisplacedMesh {
+public:
+    struct Detail {
+        float finest = 0.f; // m: no micro-triangle needs to be smaller than this
+        std::size_t maxTriangles = 4'000'000; // about 100 bytes each; coarser micro-triangles when it takes more
+    };
+    // Errors: cancelled; Embree cannot start or has no memory.
+    static Expected<DisplacedMesh> build(
+        const Mesh& mesh, const HeightField& field, const Parameters& parameters, const Detail& detail, const Progress& progress = {});
+    // finest: half of what a pixel of a picture `height` pixels high sees at the mesh's near side.
+    static Detail detailFor(const Mesh& mesh, const CameraView& camera, float fovDegrees, int height);
+
+    // Metres along the unit direction to the first hit; infinity when there is none.
+    float distance(glm::vec3 origin, glm::vec3 direction) const;
+    std::size_t triangles() const;
+    std::size_t bytes() const; // of Embree's scene and its buffers
+    float coarseness() const; // how much longer their sides are than wanted; 1: as fine as wanted
+
+private:
+    struct Impl;
+    std::shared_ptr<const Impl> m;
+};
+
+// What a picture of the camera sees of it: metres from the eye, row 0 at the top, infinity where nothing is.
+Expected<std::vector<float>> distancesSeen(
+    const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress = {});
+
+} // namespace relievo

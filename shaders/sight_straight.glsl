@@ -1,0 +1,30 @@
+// Looking at a surface taken for flat: the ray of sight and the ray from the light are straight.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+Ray sightRay(Frame frame, vec3 toEye, float depth)
+{
+    return rayInto(frame, textureUv, toEye, depth);
+}
+
+// What the pixel sees: fills hit and point.
+Surface seen(Surface surface)
+{
+    Ray ray = sightRay(surface.frame, surface.toEye, surface.depth);
+    surface.hit = trace(ray);
+    surface.point = position - surface.toEye * (surface.depth / ray.cosView * surface.hit.t);
+    return surface;
+}
+
+// From where the light enters the relief down to the point seen, which lies at ray.end.
+Ray lightRay(Surface surface, vec3 toLight)
+{
+    Ray ray = rayInto(surface.frame, surface.hit.uv, toLight, surface.depth);
+    ray.uv -= ray.duv * surface.hit.t;
+    ray.end = surface.hit.t;
+    return ray;
+}
+
+bool isPastOutline(Surface surface)
+{
+    return false;
+}

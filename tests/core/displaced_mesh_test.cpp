@@ -1,0 +1,85 @@
+// The displaced mesh: micro-triangles against the exact search on a plane, and against a sphere of known radius.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/closed.h"
+#include "core/mesh/shapes.h"
+#include "core/trace/displaced_mesh.h"
+#include "core/trace/exact_search.h"
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace relievo;
+
+namespace {
+HeightField waves(int size)
+{
+    std::vector<float> heights;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            heights.push_back(0.5f + 0.5f * std::sin(float(x) * 6.2831853f / float(size)) * std::cos(float(y) * 12.566371f / float(size)));
+    return {size, size, std::move(heights)};
+}
+} // namespace
+
+TEST(DisplacedMesh, PlaneAgreesWithTheExactSearch)
+{
+    const Mesh plane = *makeShape("plane");
+    const HeightField field = waves(64);
+    Parameters parameters;
+    parameters.depth = 0.2f, parameters.midlevel = 0.5f;
+    const auto surface = DisplacedMesh::build(plane, field, parameters, {});
+    ASSERT_TRUE(surface);
+    EXPECT_GE(surface->triangles(), 8u * 64u * 64u);
+    EXPECT_GT(surface->bytes(), surface->triangles() * 12);
+    EXPECT_EQ(surface->coarseness(), 1.f);
+    const ExactSearch exact(field);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1., 1.);
+    for (int i = 0; i < 500; ++i) {
+        // From the pushed-out plane (y = 0.1) down through the depth of 0.2 m.
+        const glm::dvec2 from(0.25 * unit(random), 0.25 * unit(random)), shift(0.2 * unit(random), 0.2 * unit(random));
+        const SearchHit hit = exact.hit({from + 0.5, shift, 0.5});
+        const glm::dvec3 way(shift.x, -0.2, shift.y);
+        const float distance = surface->distance(glm::vec3(glm::dvec3(from.x, 0.1, from.y) - way), glm::vec3(glm::normalize(way)));
+        EXPECT_NEAR(double(distance) / glm::length(way) - 1., hit.t, 2e-3);
+    }
+}
+
+TEST(DisplacedMesh, SphereShrinksByTheDepth)
+{
+    const Mesh sphere = *makeShape("sphere");
+    Parameters parameters;
+    parameters.depth = 0.1f;
+    const auto surface = DisplacedMesh::build(sphere, HeightField(8, 8, std::vector<float>(64, 0.f)), parameters, {});
+    ASSERT_TRUE(surface);
+    const float depth = 0.1f * sphere.metresPerUV;
+    EXPECT_NEAR(surface->distance({0.f, 0.1f, 2.f}, {0.f, 0.f, -1.f}), 2.f - std::sqrt((0.5f - depth) * (0.5f - depth) - 0.01f), 1e-3f);
+    EXPECT_TRUE(std::isinf(surface->distance({0.f, 0.5f - 0.5f * depth, 2.f}, {0.f, 0.f, -1.f}))); // between it and the mesh
+}
+
+TEST(DisplacedMesh, KeepsToItsBudgetAndSaysSo)
+{
+    const auto surface = DisplacedMesh::build(*makeShape("torus"), waves(256), Parameters(), {.maxTriangles = 50'000});
+    ASSERT_TRUE(surface);
+    EXPECT_LE(surface->triangles(), 50'000u);
+    EXPECT_GT(surface->coarseness(), 2.f);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(DisplacedMesh::build(*makeShape("torus"), waves(256), Parameters(), {}, Progress{{}, stop.get_token()}));
+}
+
+TEST(ClosedMesh, KnowsInsideFromOutside)
+{
+    for (const char* closed : {"sphere", "torus", "box", "cylinder"})
+        EXPECT_TRUE(isClosed(*makeShape(closed))) << closed;
+    EXPECT_FALSE(isClosed(*makeShape("plane")));
+    Mesh inverted = *makeShape("sphere");
+    for (std::size_t i = 0; i < inverted.indices.size(); i += 3)
+        std::swap(inverted.indices[i], inverted.indices[i + 1]);
+    EXPECT_FALSE(isClosed(inverted));
+    Mesh open = *makeShape("torus");
+    open.indices.resize(open.indices.size() - 3);
+    EXPECT_FALSE(isClosed(open));
+}
