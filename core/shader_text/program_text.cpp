@@ -224,13 +224,16 @@ void boundFiles(Assembly& part, const TechniqueRow& technique, std::string_view 
 }
 
 // The technique and what it reads the maps by, for pictures.
-void searchFiles(Assembly& part, const TechniqueRow& technique, bool readsCorners, bool coarser)
+void searchFiles(Assembly& part, const TechniqueRow& technique, const ProgramFeatures& features)
 {
-    part.file(listHas(technique.maps, "height") ? "heights_filtered.glsl" : "heights_none.glsl");
-    if (technique.isExact || readsCorners) {
-        if (!listHas(technique.maps, "height"))
+    const bool filtered = listHas(technique.maps, "height") && (!technique.isExact || features.coarser); // else no level is chosen by pixel
+    part.file(filtered ? "heights_filtered.glsl" : "heights_none.glsl");
+    if (technique.isExact || features.view == "error") {
+        if (!filtered)
             part.file("level_base.glsl");
-        part.file("wrapped_texel.glsl").file(coarser ? "heights_corners_texels.glsl" : "heights_corners.glsl");
+        part.file(features.clamps ? "edges_clamp.glsl" : "edges_repeat.glsl")
+            .file("wrapped_texel.glsl")
+            .file(features.coarser ? "heights_corners_texels.glsl" : "heights_corners.glsl");
     }
     boundFiles(part, technique, "bounds_filtered.glsl", "volume_filtered.glsl");
     part.file(technique.file);
@@ -270,7 +273,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
 
     Assembly part(read);
     part.file("contract.glsl").file("surface.glsl").generated(mapFunctions(features.maps, drafted->text));
-    searchFiles(part, *technique, features.view == "error", features.coarser);
+    searchFiles(part, *technique, features);
     body(part);
     if (view->isHeat)
         part.file("heat.glsl")
@@ -301,6 +304,7 @@ ProgramFeatures programFeatures(
     const TechniqueRow* row = findTechnique(technique);
     const bool lit = view == "shaded";
     features.coarser = row && row->isExact && parameters.heightMips;
+    features.clamps = row && (row->isExact || view == "error") && parameters.wrap == 1;
     features.shading = lit ? parameters.shading : 0;
     features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
     features.shadows = (lit || view == "shadow") && parameters.shadows && row && row->searches;
@@ -337,6 +341,7 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
     fragment.file("contract.glsl");
     if (listHas(row->maps, "height"))
         fragment.file("level_base.glsl")
+            .file("edges_either.glsl")
             .file("wrapped_texel.glsl")
             .file(dialect == Dialect::Desktop ? "heights_corners.glsl" : "heights_corners_texels.glsl")
             .file("heights_exact.glsl");

@@ -24,6 +24,7 @@ struct ProgramFeatures {
     bool softShadows = false; // and by a light with a size
     bool linear = false; // Target::linear
     bool coarser = false; // an exact technique reads mip levels
+    bool clamps = false; // an exact search ends at the tile's borders
     auto operator<=>(const ProgramFeatures&) const = default;
 };
 // The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.

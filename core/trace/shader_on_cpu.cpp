@@ -37,6 +37,7 @@ struct Machine : Parameters {
     const SearchTexture* boundMap = nullptr;
 
     static ivec2 textureSize(const HeightField* map, int) { return {map->width(), map->height()}; }
+    bool clamped() const { return wrap == 1; }
     static int searchLevel() { return 0; }
     vec2 searchSize() const { return vec2(boundSize()); }
     ivec2 boundSize() const { return textureSize(heightMap, 0); }
