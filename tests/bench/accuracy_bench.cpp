@@ -14,8 +14,8 @@ using namespace relievo;
 namespace {
 
 constexpr double kAllowed = 0.001; // share of wrong first hits
-constexpr int kRays = 20000; // at each angle
-constexpr int kSteps[] = {8, 16, 32, 64, 128, 256, 512};
+constexpr int kRays = 5000; // at each angle
+constexpr int kSteps[] = {8, 16, 32, 64, 128, 512};
 
 struct Timed {
     SearchSetting setting;
