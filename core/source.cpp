@@ -4,10 +4,11 @@
 #include "core/source.h"
 #include "core/analysis/hard_cases.h"
 #include "core/image/samples.h"
-#include "core/state/state_json.h"
+#include "core/state/presets.h"
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -66,11 +67,49 @@ Expected<Opened> openHardCase(std::string_view text, const State& base)
     opened.state.parameters.depth = kHardCaseDepth;
     return opened;
 }
+
+// "scene:KEY": a preset with a sample of its own.
+Expected<Opened> openScene(const std::string& source, const State& base)
+{
+    const auto row = std::ranges::find(kPresets, std::string_view(source).substr(6), &PresetRow::key);
+    if (row == kPresets.end() || row->sample.empty()) {
+        std::string keys;
+        for (const PresetRow& preset : kPresets)
+            if (!preset.sample.empty())
+                keys += (keys.empty() ? "" : ", ") + std::string(preset.key);
+        return failure(source, "there is no such scene", "There are " + keys);
+    }
+    auto opened = openSample(row->sample, base);
+    if (!opened)
+        return opened;
+    auto read = readPreset(opened->state, std::string(row->key));
+    if (!read)
+        return tl::unexpected(read.error());
+    opened->state = std::move(read->state);
+    opened->state.name = row->label;
+    return opened;
+}
+
+// A mesh file as SOURCE: the first of its materials that has maps, on all parts.
+Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const Progress& progress)
+{
+    const auto mesh = openMesh(file.string(), progress);
+    if (!mesh)
+        return tl::unexpected(mesh.error());
+    const auto material = std::ranges::find_if(mesh->materials, [](const MeshMaterial& m) { return m.maps != MapSlots(); });
+    if (material == mesh->materials.end())
+        return failure(file.string(), "this mesh brings no textures of its own", "Open a texture set and give the mesh by --mesh");
+    Opened opened{base, {}, {}};
+    opened.state.mesh = file.string();
+    opened.state.slots = material->maps;
+    opened.state.name = file.stem().string();
+    return opened;
+}
 } // namespace
 
 bool isBuiltInSource(std::string_view source)
 {
-    return source.starts_with("sample:") || source.starts_with("hard:");
+    return source.starts_with("sample:") || source.starts_with("scene:") || source.starts_with("hard:");
 }
 
 std::string lowerSuffix(const fs::path& file)
@@ -96,6 +135,8 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     if (source.starts_with("sample:"))
         return source.starts_with("sample:hard-") ? openHardCase(std::string_view(source).substr(12), base)
                                                   : openSample(std::string_view(source).substr(7), base);
+    if (source.starts_with("scene:"))
+        return openScene(source, base);
     if (source.starts_with("hard:"))
         return openHardCase(std::string_view(source).substr(5), base);
     std::error_code code;
@@ -109,7 +150,7 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
         return Opened{std::move(read->state), {}, std::move(read->warnings)};
     }
     if (isMeshFile(path))
-        return failure(source, "this is a mesh, not a material", "Open a texture set and give the mesh by --mesh");
+        return openMeshMaterial(path, base, progress);
     auto set = openTextureSet(path, progress);
     if (!set)
         return tl::unexpected(set.error());
@@ -117,6 +158,14 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     opened.state.slots = set->slots();
     opened.state.name = set->name;
     return opened;
+}
+
+Pose poseOf(const Mesh& mesh, const Parameters& parameters)
+{
+    const auto clip = std::size_t(parameters.clip);
+    const bool known = mesh.deformation && clip < mesh.deformation->clips.size();
+    const float length = known ? mesh.deformation->clips[clip].seconds : 0.f;
+    return poseAt(mesh, parameters.clip, length > 0.f ? std::fmod(parameters.time, length) : 0.f);
 }
 
 Wrap wrapOf(const Parameters& parameters)

@@ -8,6 +8,7 @@
 #include "core/image/texture_set.h"
 #include "core/maps/search_texture.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/pose.h"
 #include "core/progress.h"
 #include "core/state/state.h"
 #include "core/state/techniques.h"
@@ -34,7 +35,8 @@ struct Resources {
     std::string meshName, environmentName;
 };
 
-// SOURCE of cli.md: "*.relievo", a folder, an image of a set, a single image, "sample:KEY" or "hard:KEY" (hard_cases.h). The result is
+// SOURCE of cli.md: "*.relievo", a folder, an image of a set, a single image, "sample:KEY", "scene:KEY" (presets.h), "hard:KEY" (hard_cases.h) or a mesh
+// file that brings textures. The result is
 // `base` with the maps (and for a project everything) replaced. A sample also sets its depth.
 struct Opened {
     State state;
@@ -45,6 +47,9 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
 
 // Whether SOURCE names something made by formula: there is no file behind it.
 bool isBuiltInSource(std::string_view source);
+
+// The pose that `clip` and `time` name; the animation repeats.
+Pose poseOf(const Mesh& mesh, const Parameters& parameters);
 
 // The wrap mode that the parameter `wrap` stands for.
 Wrap wrapOf(const Parameters& parameters);

@@ -7,10 +7,12 @@
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include "render/program_cache.h"
+#include "render/shadow_map.h"
 #include "render/uploads.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <map>
 #include <optional>
 #include <vector>
@@ -39,10 +41,22 @@ std::set<MapKind> presentMaps(const Material& material)
 
 } // namespace
 
+namespace {
+// Of parts that the material is not on: grey, smooth, where they are.
+ProgramFeatures withoutRelief(ProgramFeatures features)
+{
+    features.technique = "flat";
+    features.maps.clear();
+    features.curved = features.depthOfHit = features.faded = features.shadows = features.softShadows = features.coarser = features.clamps = false;
+    return features;
+}
+} // namespace
+
 struct Renderer::Impl {
     Uploads uploads;
     std::map<std::string, Resources::Bound, std::less<>> bounds; // made here
     ProgramCache programs;
+    ShadowMap shadowMap;
     VertexArray noVertices;
     Framebuffer measuring;
     std::vector<float> pixels;
@@ -52,11 +66,56 @@ struct Renderer::Impl {
         std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
             + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "")
             + (features.coarser ? "/mips" : "") + '/' + std::to_string(features.frames) + (features.curved ? "/curved" : "")
-            + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "");
+            + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "") + (features.objectShadows ? "/objects" : "")
+            + (features.posed ? "/posed" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
         return programs.get(
             key, [&](const ShaderReader& read) { return meshProgram(features, read); }, error);
+    }
+
+    // The parts with relief by `features`, the plain ones by what is left of them without. Faces towards the eye first: those behind them fail
+    // the depth test before they are searched. Past the outline of a closed mesh there is nothing: its inside must not show where the front is
+    // cut off. use(program, uniforms) makes a program ready.
+    template <class Use>
+    void drawSurface(const State& state, const ProgramFeatures& features, const Parameters& parameters, const SceneUniforms& uniforms,
+        const Use& use, std::optional<Error>& error)
+    {
+        for (const Uploads::Parts parts : {Uploads::Parts::Relief, Uploads::Parts::Plain}) {
+            if (!uploads.hasParts(parts, state.part))
+                continue;
+            const bool plain = parts == Uploads::Parts::Plain;
+            const ProgramFeatures used = plain ? withoutRelief(features) : features;
+            SceneUniforms values = uniforms;
+            if (plain)
+                values.reliefDepth = values.pushOut = 0.f;
+            const LinkedProgram* program = meshProgramFor(used, error);
+            if (!program)
+                continue;
+            use(*program, values);
+            glEnable(GL_CULL_FACE);
+            for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
+                if (hidden == GL_FRONT && used.curved && uploads.meshIsClosed())
+                    break;
+                glCullFace(hidden);
+                uploads.drawMesh(parts, state.part, values.pushOut != 0.f, used.curved ? parameters.silhouettes : 0);
+            }
+            glDisable(GL_CULL_FACE);
+        }
+    }
+
+    // What the light sees, as deep as the relief is there; sets the uniforms by which it is read.
+    template <class Use>
+    void drawShadowMap(const State& state, ProgramFeatures features, const Parameters& parameters, SceneUniforms& uniforms, const Mesh& mesh,
+        const Use& use, std::optional<Error>& error)
+    {
+        features.view = "depth", features.shading = 0, features.shadows = features.softShadows = features.objectShadows = false;
+        features.depthOfHit = findTechnique(features.technique)->displaces;
+        const SceneUniforms light = lightUniforms(uniforms, mesh.boundsMin, mesh.boundsMax, uniforms.pushOut);
+        shadowMap.draw(parameters.shadowMapSize, [&] { drawSurface(state, features, parameters, light, use, error); });
+        uniforms.shadowFromWorld = light.clipFromWorld;
+        const glm::mat4& clip = light.clipFromWorld;
+        uniforms.shadowTexel = 2.f / (glm::length(glm::vec3(clip[0][0], clip[1][0], clip[2][0])) * float(parameters.shadowMapSize));
     }
 };
 
@@ -73,10 +132,17 @@ int Renderer::textureCount() const
 
 namespace {
 
-void clearTarget(const Parameters& parameters, const Target& target, bool heat)
+constexpr int kShadowUnit = 13; // texture unit beyond those that the material's maps take
+
+void bindTarget(const Target& target)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, target.width, target.height);
+}
+
+void clearTarget(const Parameters& parameters, const Target& target, bool heat)
+{
+    bindTarget(target);
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
@@ -162,37 +228,34 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     m->uploads.hold(used);
     std::optional<Error> error;
     const Wrap wrap = wrapOf(parameters);
-    const auto use = [&](const LinkedProgram& program) {
+    const auto use = [&](const LinkedProgram& program, const SceneUniforms& values) {
         program.use();
         program.set(parameters);
-        program.set(uniforms);
+        program.set(values);
         m->uploads.bindMaps(program, wrap, technique->bound, bound);
+        m->uploads.bindPose(program, parameters);
+        if (program.reads("shadowMap"))
+            program.bind("shadowMap", GL_TEXTURE_2D, m->shadowMap.texture(), kShadowUnit);
     };
-    const ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
-    const int curvature = features.curved ? parameters.silhouettes : 0;
-    if (const LinkedProgram* program = m->meshProgramFor(features, error)) {
-        use(*program);
-        // Faces towards the eye first: those behind them fail the depth test before they are searched. Past the outline of a closed mesh
-        // there is nothing: its inside must not show where the front is cut off.
-        glEnable(GL_CULL_FACE);
-        for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
-            if (hidden == GL_FRONT && features.curved && m->uploads.meshIsClosed())
-                break;
-            glCullFace(hidden);
-            m->uploads.drawMesh(uniforms.pushOut != 0.f, curvature);
-        }
-        glDisable(GL_CULL_FACE);
+    ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
+    features.posed = bool(mesh.deformation);
+    if (features.objectShadows) {
+        m->drawShadowMap(state, features, parameters, uniforms, mesh, use, error);
+        bindTarget(target);
     }
+    m->drawSurface(state, features, parameters, uniforms, use, error);
     if (parameters.wireframe) {
-        if (const LinkedProgram* lines = m->programs.get("wireframe", wireframeProgram, error)) {
-            use(*lines);
+        if (const LinkedProgram* lines = m->programs.get(
+                features.posed ? "wireframe/posed" : "wireframe", [&](const ShaderReader& read) { return wireframeProgram(features.posed, read); }, error)) {
+            use(*lines, uniforms);
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
             glLineWidth(target.lineWidth);
             glEnable(GL_BLEND);
             glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); // alpha stays the mesh's
             glEnable(GL_POLYGON_OFFSET_LINE);
             glPolygonOffset(-1.f, -1.f);
-            m->uploads.drawMesh(uniforms.pushOut != 0.f, 0);
+            for (const Uploads::Parts parts : {Uploads::Parts::Relief, Uploads::Parts::Plain})
+                m->uploads.drawMesh(parts, state.part, uniforms.pushOut != 0.f, 0);
             glDisable(GL_POLYGON_OFFSET_LINE);
             glDisable(GL_BLEND);
             glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -202,7 +265,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         const std::string key = target.linear ? "background/linear" : "background";
         if (const LinkedProgram* sky = m->programs.get(
                 key, [&](const ShaderReader& read) { return backgroundProgram(target.linear, read); }, error)) {
-            use(*sky);
+            use(*sky, uniforms);
             if (!m->noVertices)
                 m->noVertices = newVertexArray();
             glDepthFunc(GL_LEQUAL);

@@ -17,6 +17,7 @@ namespace relievo {
 
 namespace {
 
+constexpr int kPoseUnit = 11; // and the next one: beyond those that maps take
 constexpr GLenum kUploadUnit = 15; // no program reads it: an upload must not take the place of a map that is bound already
 
 // minification: GL_LINEAR_MIPMAP_LINEAR where a step between mip levels would show (colours, normals), GL_LINEAR_MIPMAP_NEAREST at half
@@ -213,7 +214,7 @@ void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload,
 void Uploads::hold(const Resources& resources)
 {
     if (resources.mesh != m_resources.mesh)
-        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(), m_closed.reset();
+        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(), m_closed.reset(), m_pose = PoseUpload();
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     std::erase_if(m_bounds, [&](const auto& entry) {
@@ -326,6 +327,13 @@ std::vector<glm::vec3> falls(const Mesh& mesh, bool axes)
 }
 } // namespace
 
+void Uploads::bindPose(const LinkedProgram& program, const Parameters& parameters)
+{
+    const Mesh& mesh = *m_resources.mesh;
+    if (mesh.deformation && program.reads("poseMap"))
+        m_pose.bind(program, mesh, poseOf(mesh, parameters), parameters.silhouettes, kPoseUnit);
+}
+
 bool Uploads::meshIsClosed()
 {
     if (!m_closed)
@@ -333,7 +341,20 @@ bool Uploads::meshIsClosed()
     return *m_closed;
 }
 
-void Uploads::drawMesh(bool pushed, int curvature)
+namespace {
+bool isIn(const MeshPart& part, Uploads::Parts parts, std::string_view chosen)
+{
+    const bool plain = part.relief == 0.f || (!chosen.empty() && part.material != chosen);
+    return plain == (parts == Uploads::Parts::Plain);
+}
+} // namespace
+
+bool Uploads::hasParts(Parts parts, std::string_view part) const
+{
+    return std::ranges::any_of(m_resources.mesh->parts, [&](const MeshPart& each) { return isIn(each, parts, part); });
+}
+
+void Uploads::drawMesh(Parts parts, std::string_view part, bool pushed, int curvature)
 {
     const Mesh& mesh = *m_resources.mesh;
     if (!m_vertexArray) {
@@ -352,6 +373,8 @@ void Uploads::drawMesh(bool pushed, int curvature)
         attribute(2, 2, offsetof(Vertex, uv));
         attribute(3, 3, offsetof(Vertex, dPdu));
         attribute(4, 3, offsetof(Vertex, dPdv));
+        if (mesh.deformation)
+            m_pose.addAttributes(mesh);
     }
     glBindVertexArray(*m_vertexArray);
     if (pushed && !m_push)
@@ -360,7 +383,14 @@ void Uploads::drawMesh(bool pushed, int curvature)
         m_curvature = vectorAttribute(6, falls(mesh, curvature == 1));
         m_curvatureKind = curvature;
     }
-    glDrawElements(GL_TRIANGLES, GLsizei(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
+    for (std::size_t i = 0, last = 0; i < mesh.parts.size(); i = std::max(last, i + 1)) { // neighbours in one call
+        std::uint32_t count = 0;
+        for (last = i; last < mesh.parts.size() && isIn(mesh.parts[last], parts, part); ++last)
+            count += mesh.parts[last].indexCount;
+        if (count > 0)
+            glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
+                reinterpret_cast<const void*>(std::uintptr_t(mesh.parts[i].firstIndex) * sizeof(std::uint32_t)));
+    }
     glBindVertexArray(0);
 }
 

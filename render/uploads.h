@@ -4,6 +4,7 @@
 #pragma once
 #include "core/source.h"
 #include "render/gl_objects.h"
+#include "render/pose_upload.h"
 #include "render/program.h"
 #include <array>
 #include <map>
@@ -38,9 +39,14 @@ public:
     // bound: row of kMaps and texture of the technique, or nothing.
     void bindMaps(const LinkedProgram& program, Wrap wrap, std::string_view boundKey, const std::shared_ptr<const SearchTexture>& bound);
 
-    // Draws all triangles of the mesh. Attribute locations are those of the vertex stage's files.
+    // Which parts of the mesh a draw is for: those with the relief of the material, or those without any.
+    enum class Parts { Relief, Plain };
+    bool hasParts(Parts parts, std::string_view part) const;
+    // Draws these triangles of the mesh; `part` is State::part. Attribute locations are those of the vertex stage's files.
     // pushed: with the directions of core/mesh/push.h, which are made only then. curvature: the parameter `silhouettes`; 0 wants none.
-    void drawMesh(bool pushed, int curvature);
+    void drawMesh(Parts parts, std::string_view part, bool pushed, int curvature);
+    // Binds what a program of a deforming mesh reads: the pose that clip and time name.
+    void bindPose(const LinkedProgram& program, const Parameters& parameters);
     // isClosed of the mesh, found when first asked for.
     bool meshIsClosed();
 
@@ -72,6 +78,7 @@ private:
     Buffer m_vertices, m_indices, m_push, m_curvature;
     int m_curvatureKind = 0; // of what lies in m_curvature
     std::optional<bool> m_closed;
+    PoseUpload m_pose;
 };
 
 } // namespace relievo

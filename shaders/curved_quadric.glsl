@@ -6,7 +6,7 @@ out vec3 curvature;
 
 Placed curved(Placed at)
 {
-    curvature = vertexCurvature;
+    curvature = (vertexCurvature + at.fall) * at.fallScale;
     float area = dot(at.normal, cross(at.alongU, at.alongV));
     if (pushOut != 0.0f && abs(area) > 1e-20f) {
         vec3 gradU = cross(at.alongV, at.normal) / area;

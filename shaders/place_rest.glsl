@@ -13,9 +13,11 @@ struct Placed {
     vec3 push;
     vec3 alongU; // texture Jacobian, m per UV of the mesh
     vec3 alongV;
+    vec3 fall; // added to the curvature
+    float fallScale; // of the sum
 };
 
 Placed placed()
 {
-    return Placed(vertexPosition, vertexNormal, vertexPush, vertexDPdu, vertexDPdv);
+    return Placed(vertexPosition, vertexNormal, vertexPush, vertexDPdu, vertexDPdv, vec3(0.0f), 1.0f);
 }

@@ -23,9 +23,11 @@ Result<Json> infoOf(const InfoOptions& options)
 {
     const Progress progress = shownProgress(options.common);
     if (isMeshFile(options.source) || std::ranges::count(kShapes, options.source)) {
-        const auto mesh = openMesh(options.source, progress);
+        auto mesh = openMesh(options.source, progress);
         if (!mesh)
             return problem(mesh.error());
+        const Warnings faults = inspectMesh(*mesh);
+        mesh->warnings.insert(mesh->warnings.end(), faults.begin(), faults.end());
         return Json::parse(meshJson(*mesh));
     }
     if (isProjectFile(options.source) || isBuiltInSource(options.source)) {
@@ -58,6 +60,13 @@ std::string text(const Json& info)
             + std::to_string(info["parts"].size()) + " parts\n";
         for (const char* key : {"uvs", "normals", "tangents"})
             out += std::string("  ") + key + ": " + (info[key].get<bool>() ? "in the file" : "made") + '\n';
+        if (info.contains("materials"))
+            for (const Json& material : info["materials"]) {
+                out += "  material " + material["name"].get<std::string>() + ':';
+                for (const auto& [kind, file] : material["maps"].items())
+                    out += ' ' + kind + ' ' + file.get<std::string>();
+                out += material["maps"].empty() ? " no maps\n" : "\n";
+            }
         out += "  bounds (m): " + info["bounds"][0].dump() + " to " + info["bounds"][1].dump() + '\n';
     }
     for (const Json& warning : info["warnings"])

@@ -21,7 +21,7 @@ struct ReportOptions {
     Common common;
     StateOptions state;
     std::string out;
-    std::vector<std::string> techniques, angles;
+    std::vector<std::string> more, techniques, angles;
     bool hardCases = false, fast = false, noPictures = false;
     int rays = 5000, size = 0;
     std::uint32_t seed = 1;
@@ -60,8 +60,6 @@ Result<void> check(const ReportOptions& options)
     const std::string suffix = lowerSuffix(options.out);
     if (suffix != ".html" && suffix != ".json" && suffix != ".csv")
         return problem({"a report is written as .html, .json or .csv", "-o " + options.out, "Choose one of these suffixes"}, WrongUsage);
-    if (options.hardCases && !options.state.source.empty())
-        return problem({"--hard-cases brings its own height fields", options.state.source, "Leave out one of the two"}, WrongUsage);
     if (!options.hardCases && options.size > 0)
         return problem(
             {"a material is measured in its own size", "--size", "Use it with --hard-cases, or write sample:NAME@N"}, WrongUsage);
@@ -71,7 +69,9 @@ Result<void> check(const ReportOptions& options)
 Result<std::vector<Subject>> subjectsOf(const ReportOptions& options, const Progress& progress)
 {
     std::vector<Subject> subjects;
-    const float share = options.hardCases ? 1.f / float(kHardCases.size()) : 1.f;
+    const bool ownSource = !options.hardCases || !options.state.source.empty();
+    const std::size_t count = (ownSource ? 1 : 0) + options.more.size() + (options.hardCases ? kHardCases.size() : 0);
+    const float share = 1.f / float(count);
     const auto add = [&](const StateOptions& state, bool pictured) -> Result<void> {
         const float from = share * float(subjects.size());
         auto subject = openSubject(state, pictured && !options.noPictures, part(progress, from, from + share));
@@ -80,13 +80,18 @@ Result<std::vector<Subject>> subjectsOf(const ReportOptions& options, const Prog
         subjects.push_back(std::move(*subject));
         return {};
     };
-    if (!options.hardCases) {
-        if (const auto added = add(options.state, true); !added)
-            return tl::unexpected(added.error());
-        return subjects;
-    }
     StateOptions state = options.state;
+    if (ownSource)
+        if (const auto added = add(state, true); !added)
+            return tl::unexpected(added.error());
+    for (const std::string& source : options.more) {
+        state.source = source;
+        if (const auto added = add(state, true); !added)
+            return tl::unexpected(added.error());
+    }
     for (const HardCaseRow& row : kHardCases) {
+        if (!options.hardCases)
+            break;
         state.source = "hard:" + std::string(row.key) + '@' + std::to_string(options.size > 0 ? options.size : kHardCaseSize);
         if (const auto added = add(state, row.pictured); !added)
             return tl::unexpected(added.error());
@@ -185,6 +190,13 @@ const Subject& shownSubject(const std::vector<Subject>& subjects)
     return bricks == subjects.end() ? subjects.front() : *bricks;
 }
 
+std::string titleOf(const ReportOptions& options, const std::vector<Subject>& subjects)
+{
+    const std::size_t sets = subjects.size() - (options.hardCases ? kHardCases.size() : 0);
+    const std::string first = sets == 0 ? "" : sets == 1 ? subjects.front().state.name : std::to_string(sets) + " materials";
+    return !options.hardCases ? first : first.empty() ? "Hard cases" : first + " and hard cases";
+}
+
 Result<Report> measure(const ReportOptions& options)
 {
     if (const auto good = check(options); !good)
@@ -199,7 +211,7 @@ Result<Report> measure(const ReportOptions& options)
         return tl::unexpected(subjects.error());
 
     Report report;
-    report.title = options.hardCases ? "Hard cases" : subjects->front().state.name;
+    report.title = titleOf(options, *subjects);
     report.plan.bands = *bands;
     report.plan.rays = options.rays;
     report.plan.seed = options.seed;
@@ -245,8 +257,9 @@ void addReport(CLI::App& app, int& exitCode)
     CLI::App* command = app.add_subcommand("report", "Speed against error of the techniques: tables, plots, heat maps");
     options->state.addTo(*command);
     options->common.addTo(*command);
-    command->add_flag(
-        "--hard-cases", options->hardCases, "Measure on the built-in hard height fields instead of a SOURCE; pictures of four of them");
+    command->add_flag("--hard-cases", options->hardCases,
+        "Measure on the built-in hard height fields, alone or beside SOURCEs; pictures of four of them");
+    command->add_option("MORE", options->more, "Further SOURCEs, measured together with the first")->type_name("");
     command->add_option("-o", options->out, "Report to write: .html, .json or .csv")->required()->type_name("OUT");
     command->add_option("--techniques", options->techniques, "Only these techniques; all when not given")
         ->type_name("KEY,KEY...")

@@ -14,7 +14,7 @@ Changes differences(const State& a, const State& b)
     what.setFlag(Change::Name, a.name != b.name);
     what.setFlag(Change::Parameters, a.parameters != b.parameters);
     what.setFlag(Change::Maps, a.slots != b.slots);
-    what.setFlag(Change::Mesh, a.mesh != b.mesh);
+    what.setFlag(Change::Mesh, a.mesh != b.mesh || a.part != b.part);
     what.setFlag(Change::Environment, a.environment != b.environment);
     what.setFlag(Change::Camera, a.camera != b.camera);
     what.setFlag(Change::View, a.view != b.view);
@@ -22,7 +22,16 @@ Changes differences(const State& a, const State& b)
     return what;
 }
 
-// Two whole States; the camera of neither is used, so that undo leaves the eye where it is.
+namespace {
+// What is no change of the work: where the eye is, and at which moment it looks.
+void keepSight(State& state, const State& from)
+{
+    state.camera = from.camera;
+    state.parameters.time = from.parameters.time;
+}
+} // namespace
+
+// Two whole States; camera and moment of neither are used, so that undo leaves the eye where it is.
 class Document::Edit : public QUndoCommand {
 public:
     Edit(Document& document, State after, const QString& text)
@@ -42,14 +51,16 @@ public:
         if (other->m_gesture != m_gesture || other->text() != text())
             return false;
         m_after = other->m_after;
-        setObsolete(!(differences(m_before, m_after) & ~Changes(Change::Camera)));
+        State sameSight = m_after;
+        keepSight(sameSight, m_before);
+        setObsolete(sameSight == m_before);
         return true;
     }
 
 private:
     void show(State state)
     {
-        state.camera = m_document.m_state.camera;
+        keepSight(state, m_document.m_state);
         m_document.replace(state);
     }
     Document& m_document;
@@ -66,13 +77,11 @@ void Document::edit(const QString& text, const std::function<void(State&)>& chan
 {
     State after = m_state;
     change(after);
-    const Changes what = differences(m_state, after);
-    if (what & Change::Camera) {
-        State moved = m_state;
-        moved.camera = after.camera;
+    State moved = m_state;
+    keepSight(moved, after);
+    if (moved != m_state)
         replace(moved);
-    }
-    if (!(what & ~Changes(Change::Camera)))
+    if (m_state == after)
         return;
     m_undo.push(new Edit(*this, std::move(after), text));
     if (!inGesture())

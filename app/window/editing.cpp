@@ -17,6 +17,8 @@ bool holdsIn(const State& state, std::size_t index, const ParameterRow& row)
 {
     if (row.shown.empty())
         return true;
+    if (row.shown == "animated") // the animation bar's
+        return false;
     if (row.shown == "technique") {
         const TechniqueRow* technique = findTechnique(state.panes[index].technique);
         return technique && listHas(technique->parameters, row.key);

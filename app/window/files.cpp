@@ -82,7 +82,7 @@ void Files::saveTo(const QString& file, const std::function<void()>& then)
 void Files::take(const QString& dropped)
 {
     if (isMeshFile(dropped.toStdString()))
-        m_assets.propose(tr("Mesh"), [dropped](State& state) { state.mesh = dropped.toStdString(); });
+        m_assets.propose(tr("Mesh"), [dropped](State& state) { state.mesh = dropped.toStdString(), state.part.clear(); });
     else if (isProjectFile(dropped.toStdString()))
         open(dropped);
     else
@@ -114,7 +114,12 @@ void Files::fillPresets(QMenu& menu)
     for (const PresetRow& row : kPresets) {
         QAction* action = menu.addAction(qt(row.label));
         action->setToolTip(qt(row.help));
-        connect(action, &QAction::triggered, this, [this, &row] { applyPreset(std::string(row.key)); });
+        connect(action, &QAction::triggered, this, [this, &row] {
+            if (row.sample.empty())
+                applyPreset(std::string(row.key));
+            else
+                m_assets.openDocument("scene:" + qt(row.key));
+        });
     }
     menu.addSeparator();
     connect(menu.addAction(tr("From file...")), &QAction::triggered, this,

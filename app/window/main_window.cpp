@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/main_window.h"
+#include "app/window/animation_bar.h"
 #include "app/window/controls.h"
 #include "app/window/export_dialog.h"
 #include "app/window/files.h"
@@ -35,6 +36,7 @@ MainWindow::MainWindow()
     : m_assets(m_document, m_messages)
     , m_files(new Files(m_document, m_assets, m_messages, this))
     , m_viewport(new Viewport(m_document, m_assets, m_messages))
+    , m_animation(new AnimationBar(m_document, m_assets))
     , m_maps(new MapPanel(m_document, m_assets))
     , m_parameters(new ParameterPanel(m_document))
     , m_techniques(new TechniqueBar)
@@ -45,7 +47,13 @@ MainWindow::MainWindow()
     setAcceptDrops(true);
     m_splitter->setHandleWidth(1);
     m_splitter->setChildrenCollapsible(false);
-    for (QWidget* part : {static_cast<QWidget*>(m_maps), static_cast<QWidget*>(m_viewport), static_cast<QWidget*>(m_parameters)})
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_viewport, 1);
+    column->addWidget(m_animation);
+    for (QWidget* part : {static_cast<QWidget*>(m_maps), centre, static_cast<QWidget*>(m_parameters)})
         m_splitter->addWidget(part);
     m_maps->setMinimumWidth(232);
     m_parameters->setMinimumWidth(300);

@@ -11,6 +11,7 @@ class QSplitter;
 
 namespace relievo {
 
+class AnimationBar;
 class ExportDialog;
 class Files;
 class MapPanel;
@@ -30,6 +31,7 @@ public:
     Messages& messages() { return m_messages; }
     Files& files() { return *m_files; }
     Viewport& viewport() { return *m_viewport; }
+    AnimationBar& animation() { return *m_animation; }
     MapPanel& maps() { return *m_maps; }
     ParameterPanel& parameters() { return *m_parameters; }
     TechniqueBar& techniques() { return *m_techniques; }
@@ -62,6 +64,7 @@ private:
     Assets m_assets;
     Files* m_files;
     Viewport* m_viewport;
+    AnimationBar* m_animation;
     MapPanel* m_maps;
     ParameterPanel* m_parameters;
     TechniqueBar* m_techniques;

@@ -8,6 +8,7 @@
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "core/image/samples.h"
+#include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -122,6 +123,11 @@ void MapPanel::addMesh(Section& section)
     line->addStretch(1);
     line->addWidget(open);
     section.body()->addLayout(line);
+    m_parts = new QComboBox;
+    m_parts->setObjectName("parts");
+    m_parts->setToolTip(tr("Which part of the mesh shows the material, by the materials of its file; the maps that the file has for it are taken"));
+    section.body()->addWidget(m_parts);
+    connect(m_parts, &QComboBox::activated, this, [this](int index) { choosePart(m_parts->itemData(index).toString()); });
     section.body()->addWidget(m_meshFacts = factsLabel());
     connect(m_shapes, &Segmented::chosen, this, [this](int index) { setMesh(qt(kShapes[std::size_t(index)])); });
     connect(open, &QToolButton::clicked, this,
@@ -179,7 +185,35 @@ void MapPanel::locate(MapKind kind, const QString& file)
 
 void MapPanel::setMesh(const QString& nameOrFile)
 {
-    m_assets.propose(tr("Mesh"), [nameOrFile](State& state) { state.mesh = nameOrFile.toStdString(); });
+    m_assets.propose(tr("Mesh"), [nameOrFile](State& state) { state.mesh = nameOrFile.toStdString(), state.part.clear(); });
+}
+
+// "" for all parts.
+void MapPanel::choosePart(const QString& material)
+{
+    const std::shared_ptr<const Mesh> mesh = m_assets.resources().mesh;
+    m_assets.propose(material.isEmpty() ? tr("All parts") : tr("Part %1").arg(material), [mesh, name = material.toStdString()](State& state) {
+        state.part = name;
+        const auto found = std::ranges::find(mesh->materials, name, &MeshMaterial::name);
+        if (found != mesh->materials.end() && found->maps != MapSlots())
+            state.slots = found->maps;
+    });
+}
+
+// The materials that parts of the mesh name, when there is a choice.
+void MapPanel::showParts(const State& state, const Mesh* mesh)
+{
+    m_parts->clear();
+    m_parts->addItem(tr("All parts"), QString());
+    QStringList names;
+    for (const MeshPart& part : mesh ? mesh->parts : std::vector<MeshPart>{})
+        if (!names.contains(qt(part.material)))
+            names.append(qt(part.material));
+    for (const QString& name : names)
+        m_parts->addItem(name, name);
+    const bool textured = mesh && std::ranges::any_of(mesh->materials, [](const MeshMaterial& m) { return m.maps != MapSlots(); });
+    m_parts->setVisible(names.size() > 1 || textured);
+    m_parts->setCurrentIndex(std::max(0, m_parts->findData(QString::fromStdString(state.part))));
 }
 
 void MapPanel::setEnvironment(const QString& nameOrFile)
@@ -199,6 +233,7 @@ void MapPanel::refresh()
     if (shape == kShapes.end())
         facts.prepend(QFileInfo(QString::fromStdString(state.mesh)).fileName() + '\n');
     m_meshFacts->setText(facts);
+    showParts(state, loaded.mesh.get());
     const bool studio = state.environment == "studio";
     m_environmentName->setText(studio ? tr("Studio") : QFileInfo(QString::fromStdString(state.environment)).fileName());
     m_studio->setVisible(!studio);

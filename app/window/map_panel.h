@@ -6,6 +6,7 @@
 #include <QVector>
 #include <QWidget>
 
+class QComboBox;
 class QLabel;
 class QToolButton;
 
@@ -25,6 +26,7 @@ public:
     // The file of a slot has moved; other missing maps that lie beside it are found too.
     void locate(MapKind kind, const QString& file);
     void setMesh(const QString& nameOrFile);
+    void choosePart(const QString& material);
     void setEnvironment(const QString& nameOrFile);
 
 protected:
@@ -35,10 +37,12 @@ private:
     void addMesh(Section& section);
     void addEnvironment(Section& section);
     void refresh();
+    void showParts(const State& state, const Mesh* mesh);
     Document& m_document;
     Assets& m_assets;
     QVector<MapRow*> m_rows;
     Segmented* m_shapes = nullptr;
+    QComboBox* m_parts = nullptr;
     QLabel *m_meshFacts = nullptr, *m_environmentName = nullptr;
     QToolButton* m_studio = nullptr;
 };

@@ -63,6 +63,7 @@ HitErrors compareHits(
         const double t = hits[i].found ? hits[i].t : 1., difference = t - exact[i].t, distance = std::abs(difference);
         const double texels = distance * texelsOf(field, rays[i]);
         fetches.push_back(hits[i].fetches);
+        errors.meanBytes += hits[i].bytes;
         ++errors.rays;
         errors.notFound += !hits[i].found;
         if (distance > kWrongDepth && texels > kWrongTexels) {
@@ -82,6 +83,7 @@ HitErrors compareHits(
     const double count = double(std::max<std::size_t>(errors.rays, 1));
     errors.rmse = std::sqrt(squares / count);
     errors.rmseTexels = std::sqrt(squaresTexels / count);
+    errors.meanBytes /= count;
     countFetches(errors, fetches);
     return errors;
 }
@@ -96,6 +98,7 @@ HitErrors together(std::span<const HitErrors> sets)
         all.rmse += weight * set.rmse * set.rmse;
         all.rmseTexels += weight * set.rmseTexels * set.rmseTexels;
         all.meanFetches += weight * set.meanFetches;
+        all.meanBytes += weight * set.meanBytes;
         all.p99Fetches += weight * set.p99Fetches;
         all.largest = std::max(all.largest, set.largest);
         all.largestTexels = std::max(all.largestTexels, set.largestTexels);
@@ -103,7 +106,7 @@ HitErrors together(std::span<const HitErrors> sets)
     }
     const double weight = double(std::max<std::size_t>(all.rays, 1));
     all.rmse = std::sqrt(all.rmse / weight), all.rmseTexels = std::sqrt(all.rmseTexels / weight);
-    all.meanFetches /= weight, all.p99Fetches /= weight;
+    all.meanFetches /= weight, all.meanBytes /= weight, all.p99Fetches /= weight;
     return all;
 }
 

@@ -26,9 +26,11 @@ struct HitErrors {
     double rmseTexels = 0., largestTexels = 0.; // |dt| times the texels that the ray travels
     double meanFetches = 0., p99Fetches = 0.;
     int maxFetches = 0;
+    double meanBytes = 0.; // fetched
 
     double share(std::size_t count) const { return rays ? double(count) / double(rays) : 0.; }
-    double wrongShare() const { return share(tooDeep + tooShort); }
+    std::size_t wrong() const { return tooDeep + tooShort; }
+    double wrongShare() const { return share(wrong()); }
 };
 
 // hits[i] and exact[i] answer rays[i]. Rays whose exact answer is missing (not finite, or too long to walk) are left out.

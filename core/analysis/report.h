@@ -43,9 +43,10 @@ struct Report {
 
 // One self-contained file: no script, nothing fetched.
 std::string reportHtml(const Report& report);
-// {"title", "conditions", "settings", "fields", "rays": [...], "pictures": [...], "warnings"}; percentages in percent.
+// {"title", "conditions", "settings", "fields", "rays": [...], "totals": [...], "pictures": [...], "warnings"}; percentages in percent.
 std::string reportJson(const Report& report);
-// One line a setting, field and view: the rays of a band, or a picture at an angle; what does not apply is left empty.
+// One line a setting, field and view: the rays of a band, or a picture at an angle; what does not apply is left empty. Where there are
+// several fields, lines of all of them together follow those of the rays.
 std::string reportCsv(const Report& report);
 
 // Three significant digits without an exponent: "0", "0.0312", "28.4", "1240".

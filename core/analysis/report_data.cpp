@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/report.h"
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,9 +18,12 @@ struct Column {
 };
 constexpr Column kRayColumns[] = {
     {"rays", [](const SweepRow& r) { return double(r.errors.rays); }},
+    {"wrong", [](const SweepRow& r) { return double(r.errors.wrong()); }},
+    {"ties", [](const SweepRow& r) { return double(r.errors.ties); }},
     {"meanFetches", [](const SweepRow& r) { return r.errors.meanFetches; }},
     {"p99Fetches", [](const SweepRow& r) { return r.errors.p99Fetches; }},
     {"maxFetches", [](const SweepRow& r) { return double(r.errors.maxFetches); }},
+    {"meanBytes", [](const SweepRow& r) { return r.errors.meanBytes; }},
     {"overshootPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.tooDeep); }},
     {"shortPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.tooShort); }},
     {"notFoundPercent", [](const SweepRow& r) { return 100. * r.errors.share(r.errors.notFound); }},
@@ -28,7 +32,6 @@ constexpr Column kRayColumns[] = {
     {"rmseTexels", [](const SweepRow& r) { return r.errors.rmseTexels; }},
     {"maxErrorTexels", [](const SweepRow& r) { return r.errors.largestTexels; }},
     {"nan", [](const SweepRow& r) { return double(r.errors.invalid); }},
-    {"ties", [](const SweepRow& r) { return double(r.errors.ties); }},
     {"bakeSeconds", [](const SweepRow& r) { return r.bakeSeconds; }},
     {"bytesPerTexel", [](const SweepRow& r) { return r.bytesPerTexel; }},
 };
@@ -60,11 +63,37 @@ nlohmann::ordered_json conditionsJson(const Report& report)
     return json;
 }
 
+const std::string& fieldKey(const Report& report, std::size_t field)
+{
+    static const std::string all = "all fields";
+    return field == kAllFields ? all : report.plan.fields[field].key;
+}
+
 // nlohmann writes infinities as null, which is what JSON can say of them.
 nlohmann::ordered_json namesOf(const Report& report, std::size_t setting, std::size_t field)
 {
     const SearchSetting& s = report.plan.settings[setting];
-    return {{"technique", s.technique->key}, {"setting", s.label}, {"field", report.plan.fields[field].key}};
+    return {{"technique", s.technique->key}, {"setting", s.label}, {"field", fieldKey(report, field)}};
+}
+
+nlohmann::ordered_json rayLines(const Report& report, std::span<const SweepRow> rows)
+{
+    auto lines = nlohmann::ordered_json::array();
+    for (const SweepRow& row : rows) {
+        auto line = namesOf(report, row.setting, row.field);
+        line["fromDegrees"] = report.plan.bands[row.band].from;
+        line["toDegrees"] = report.plan.bands[row.band].to;
+        for (const Column& column : kRayColumns)
+            line[column.key] = column.of(row);
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+// Nothing where one field is all there is.
+std::vector<SweepRow> totalsOf(const Report& report)
+{
+    return report.plan.fields.size() > 1 ? totals(report.plan, report.rows) : std::vector<SweepRow>();
 }
 
 } // namespace
@@ -96,15 +125,8 @@ std::string reportJson(const Report& report)
     for (const SweepField& f : report.plan.fields)
         json["fields"].push_back({{"key", f.key}, {"label", f.label}, {"width", f.heights.width()}, {"height", f.heights.height()},
             {"depth", double(float(f.depth))}});
-    json["rays"] = nlohmann::ordered_json::array();
-    for (const SweepRow& row : report.rows) {
-        auto line = namesOf(report, row.setting, row.field);
-        line["fromDegrees"] = report.plan.bands[row.band].from;
-        line["toDegrees"] = report.plan.bands[row.band].to;
-        for (const Column& column : kRayColumns)
-            line[column.key] = column.of(row);
-        json["rays"].push_back(std::move(line));
-    }
+    json["rays"] = rayLines(report, report.rows);
+    json["totals"] = rayLines(report, totalsOf(report));
     json["pictures"] = nlohmann::ordered_json::array();
     for (const PictureRow& row : report.pictures) {
         auto line = namesOf(report, row.setting, row.field);
@@ -129,9 +151,11 @@ std::string reportCsv(const Report& report)
     text += '\n';
     const auto names = [&](std::size_t setting, std::size_t field) {
         const SearchSetting& s = report.plan.settings[setting];
-        return std::string(s.technique->key) + ',' + quoted(s.label) + ',' + quoted(report.plan.fields[field].key) + ',';
+        return std::string(s.technique->key) + ',' + quoted(s.label) + ',' + quoted(fieldKey(report, field)) + ',';
     };
-    for (const SweepRow& row : report.rows) {
+    std::vector<SweepRow> rows = report.rows;
+    std::ranges::copy(totalsOf(report), std::back_inserter(rows));
+    for (const SweepRow& row : rows) {
         const AngleBand band = report.plan.bands[row.band];
         text += names(row.setting, row.field) + "rays " + number(band.from) + '-' + number(band.to);
         for (const Column& column : kRayColumns)

@@ -348,14 +348,15 @@ private:
 
     std::string details() const
     {
-        std::string html
-            = "<h2>All figures</h2><p>Overshoot: wrong and past the first hit. Short: wrong and before it. Not found: the search gave "
-              "up. RMSE and the largest error of the depth (share of the depth) and sideways in texels.</p>\n";
+        std::string html = "<h2>All figures</h2><p>Bytes: what the fetches of a ray return, mean. Overshoot: wrong and past the first hit. "
+                           "Short: wrong and before it. Not found: the search gave "
+                           "up. RMSE and the largest error of the depth (share of the depth) and sideways in texels.</p>\n";
         for (std::size_t field = 0; field < m_plan.fields.size(); ++field) {
             const SweepField& f = m_plan.fields[field];
             html += std::string("<details") + (m_plan.fields.size() == 1 ? " open" : "") + "><summary>" + escaped(f.label) + "<span>"
                 + std::to_string(f.heights.width()) + " \u00d7 " + std::to_string(f.heights.height()) + ", depth " + figure(f.depth)
-                + "</span></summary><div class='scroll'><table><tr><th>Setting</th><th>Angles</th><th>Fetches</th><th>p99</th><th>Most</th>"
+                + "</span></summary><div "
+                  "class='scroll'><table><tr><th>Setting</th><th>Angles</th><th>Fetches</th><th>p99</th><th>Most</th><th>Bytes</th>"
                   "<th>Overshoot, %</th><th>Short, %</th><th>Not found, %</th><th>RMSE</th><th>Largest</th><th>RMSE, texels</th>"
                   "<th>Largest, texels</th><th>NaN</th><th>Ties</th></tr>\n";
             for (const SweepRow& row : m_report.rows)
@@ -371,7 +372,7 @@ private:
         const HitErrors& e = row.errors;
         std::string html = row.band == 0 && row.setting > 0 ? "<tr class='top'>" : "<tr>";
         html += cell(row.band == 0 ? escaped(m_plan.settings[row.setting].label) : "") + cell(bandTitle(row.band))
-            + cell(figure(e.meanFetches)) + cell(figure(e.p99Fetches)) + cell(std::to_string(e.maxFetches));
+            + cell(figure(e.meanFetches)) + cell(figure(e.p99Fetches)) + cell(std::to_string(e.maxFetches)) + cell(figure(e.meanBytes));
         for (const std::size_t count : {e.tooDeep, e.tooShort, e.notFound})
             html += cell(percent(e.share(count)));
         html += cell(error(e.rmse)) + cell(error(e.largest)) + cell(figure(e.rmseTexels)) + cell(figure(e.largestTexels));

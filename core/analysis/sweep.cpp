@@ -139,6 +139,22 @@ Expected<std::vector<SweepRow>> sweep(const SweepPlan& plan, const Progress& pro
     return rows;
 }
 
+std::vector<SweepRow> totals(const SweepPlan& plan, std::span<const SweepRow> rows)
+{
+    std::vector<SweepRow> all;
+    for (std::size_t setting = 0; setting < plan.settings.size(); ++setting)
+        for (std::size_t band = 0; band < plan.bands.size(); ++band) {
+            SweepRow total{setting, kAllFields, band, overFields(rows, setting, band), 0., 0.};
+            for (const SweepRow& row : rows)
+                if (row.setting == setting && row.band == band) {
+                    total.bakeSeconds += row.bakeSeconds;
+                    total.bytesPerTexel += row.bytesPerTexel / double(plan.fields.size());
+                }
+            all.push_back(total);
+        }
+    return all;
+}
+
 HitErrors overFields(std::span<const SweepRow> rows, std::size_t setting, std::size_t band)
 {
     std::vector<HitErrors> sets;

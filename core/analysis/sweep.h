@@ -37,6 +37,10 @@ struct SweepRow {
 // Rows in the order field, setting, band. Errors: those of searchMaps, cancelled.
 Expected<std::vector<SweepRow>> sweep(const SweepPlan& plan, const Progress& progress = {});
 
+// One row a setting and band over all fields of the plan: field is `kAllFields`, bakeSeconds the sum, bytesPerTexel the mean.
+inline constexpr std::size_t kAllFields = std::size_t(-1);
+std::vector<SweepRow> totals(const SweepPlan& plan, std::span<const SweepRow> rows);
+
 // The rows of one setting (and band, unless it is `kAllBands`) as one.
 inline constexpr std::size_t kAllBands = std::size_t(-1);
 HitErrors overFields(std::span<const SweepRow> rows, std::size_t setting, std::size_t band = kAllBands);

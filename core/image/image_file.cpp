@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "core/image/imageio_protocol.h"
 #include "core/image/process_client.h"
+#include "core/mesh/pictures.h"
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -290,6 +291,10 @@ Expected<ImageInfo> readImageInfo(const fs::path& file)
 
 Expected<ImageRead> readImage(const fs::path& file, const Progress& progress)
 {
+    if (namesEmbeddedPicture(file)) {
+        const Expected<std::vector<std::byte>> bytes = readEmbeddedPicture(file);
+        return bytes ? readImageBytes(*bytes, file.string()) : tl::unexpected(bytes.error());
+    }
     if (const auto readable = checkReadable(file); !readable)
         return tl::unexpected(readable.error());
     return imageOf(ask(Message::Read, pathPacket(file), {}, file.string(), progress), file.string());

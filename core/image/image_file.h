@@ -29,6 +29,7 @@ struct ImageRead {
 // All functions are safe to call from several threads (requests to the helper are taken in turn). Errors name the file and
 // the cure. A crash, hang (20 s without progress) or memory bomb of the image library is an error; the helper is respawned.
 Expected<ImageInfo> readImageInfo(const std::filesystem::path& file);
+// readImage also takes "FILE.glb#N": picture N inside a glTF file (core/mesh/pictures.h).
 Expected<ImageRead> readImage(const std::filesystem::path& file, const Progress& progress = {});
 
 // A texture inside a .glb or a data URI: the undecoded bytes of a PNG or JPEG. `name` stands in messages.

@@ -2,14 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/frames.h"
+#include "core/mesh/numbering.h"
 #include "core/mesh/raw_mesh.h"
-#include "core/mesh/value_hash.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
-#include <unordered_map>
-#include <unordered_set>
 
 namespace relievo {
 
@@ -89,26 +87,28 @@ void repairAttributes(RawMesh& raw)
         raw.warn("uvs-repaired", counted(uvs, "corner has a UV that is", "corners have UVs that are") + " not finite; they were left out.");
 }
 
-std::size_t distinctTuples(const RawMesh& raw)
+struct Tuples {
+    std::size_t distinct = 0; // of position, normal and UV by value
+    std::size_t repeated = 0; // written more often than needed
+};
+
+Tuples countTuples(const RawMesh& raw)
 {
-    std::unordered_set<ValueKey<8>, ValueHash<8>> tuples;
-    tuples.reserve(raw.corners.size());
+    const auto count
+        = [](std::uint32_t index, const std::vector<std::uint32_t>& numbers) { return index == kNone ? kNone : numbers[index]; };
+    const std::vector<std::uint32_t> positions = numbersOf(raw.positions), normals = numbersOf(raw.normals), uvs = numbersOf(raw.uvs);
+    Numbering<3> written(raw.positions.size()), distinct(raw.positions.size());
+    std::vector<bool> used(raw.positions.size());
     for (const Corner& corner : raw.corners) {
-        const glm::vec3 p = raw.positions[corner.position];
-        const glm::vec3 n = corner.normal == kNone ? glm::vec3(0.f) : raw.normals[corner.normal];
-        const glm::vec2 uv = corner.uv == kNone ? glm::vec2(0.f) : raw.uvs[corner.uv];
-        tuples.insert({p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y});
+        used[corner.position] = true;
+        if (written({corner.position, corner.normal, corner.uv}).isNew)
+            distinct({count(corner.position, positions), count(corner.normal, normals), count(corner.uv, uvs)});
     }
-    if (!raw.countsUnused)
-        return tuples.size();
-    std::vector<char> used(raw.positions.size(), 0);
-    for (const Corner& corner : raw.corners)
-        used[corner.position] = 1;
-    std::unordered_set<ValueKey<3>, ValueHash<3>> unused;
-    for (std::size_t i = 0; i < used.size(); ++i)
+    Tuples tuples{distinct.size(), raw.sharesVertices ? written.size() - distinct.size() : 0};
+    for (std::size_t i = 0; raw.countsUnused && i < used.size(); ++i)
         if (!used[i])
-            unused.insert({raw.positions[i].x, raw.positions[i].y, raw.positions[i].z});
-    return tuples.size() + unused.size();
+            tuples.distinct += distinct({positions[i], kNone - 1, 0}).isNew;
+    return tuples;
 }
 
 struct Face {
@@ -140,14 +140,12 @@ struct Places {
 
 Places placesOf(const RawMesh& raw)
 {
-    std::unordered_map<ValueKey<3>, std::uint32_t, ValueHash<3>> numbers;
+    const std::vector<std::uint32_t> numbers = numbersOf(raw.positions);
     std::vector<std::uint32_t> place(raw.corners.size());
-    for (std::size_t i = 0; i < raw.corners.size(); ++i) {
-        const glm::vec3 p = raw.positions[raw.corners[i].position];
-        place[i] = numbers.try_emplace({p.x, p.y, p.z}, std::uint32_t(numbers.size())).first->second;
-    }
+    for (std::size_t i = 0; i < raw.corners.size(); ++i)
+        place[i] = numbers[raw.corners[i].position];
     Places places;
-    places.starts.assign(numbers.size() + 1, 0);
+    places.starts.assign(numbers.size() + 1, 0); // at most so many
     for (const std::uint32_t g : place)
         ++places.starts[g + 1];
     for (std::size_t g = 1; g < places.starts.size(); ++g)
@@ -260,27 +258,58 @@ glm::vec4 tangentOf(const RawMesh& raw, const Corner& corner)
     return glm::vec4(flat / length, tangent.w < 0.f ? -1.f : 1.f);
 }
 
+// Numbers of positions; those that are equal but move differently have different ones.
+std::vector<std::uint32_t> positionNumbers(const RawMesh& raw)
+{
+    std::vector<std::uint32_t> numbers = numbersOf(raw.positions);
+    if (!raw.moves)
+        return numbers;
+    Numbering<7> byInfluence(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const Influence& influence = raw.moves->deformation.influences[i];
+        const Bits<4> w = bitsOf(glm::vec4(influence.weights[0], influence.weights[1], influence.weights[2], influence.weights[3]));
+        numbers[i] = byInfluence({numbers[i], std::uint32_t(influence.joints[0]) << 16 | influence.joints[1],
+                                     std::uint32_t(influence.joints[2]) << 16 | influence.joints[3], w[0], w[1], w[2], w[3]})
+                         .number;
+    }
+    for (const RawDeformation::Piece& piece : raw.moves->pieces) {
+        Numbering<7> byDelta(numbers.size());
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const std::size_t at = i - piece.first;
+            const bool within = i >= piece.first && at < piece.positions.size();
+            const Bits<3> p = bitsOf(within ? piece.positions[at] : glm::vec3(0.f));
+            const Bits<3> n = bitsOf(within && !piece.normals.empty() ? piece.normals[at] : glm::vec3(0.f));
+            numbers[i] = byDelta({numbers[i], p[0], p[1], p[2], n[0], n[1], n[2]}).number;
+        }
+    }
+    return numbers;
+}
+
 // Joins corners that agree in everything. Mirrored and unmirrored texture never share a vertex: their frames would cancel.
 std::vector<glm::vec4> joinCorners(const RawMesh& raw, Mesh& mesh)
 {
-    std::unordered_map<ValueKey<13>, std::uint32_t, ValueHash<13>> numbers;
-    numbers.reserve(raw.corners.size());
+    const std::vector<std::uint32_t> positions = positionNumbers(raw), normals = numbersOf(raw.normals), uvs = numbersOf(raw.uvs);
+    Numbering<8> numbering(raw.positions.size());
     std::vector<glm::vec4> tangents;
     mesh.indices.reserve(raw.corners.size());
     for (std::size_t i = 0; i < raw.corners.size(); ++i) {
         const Corner* triangle = &raw.corners[i - i % 3];
-        const bool mirrored = signedUVArea(raw.uvs[triangle[0].uv], raw.uvs[triangle[1].uv], raw.uvs[triangle[2].uv]) > 0.f;
+        const std::uint32_t mirrored = signedUVArea(raw.uvs[triangle[0].uv], raw.uvs[triangle[1].uv], raw.uvs[triangle[2].uv]) > 0.f;
         const Corner& corner = raw.corners[i];
-        const glm::vec3 p = raw.positions[corner.position], n = raw.normals[corner.normal];
-        const glm::vec2 uv = raw.uvs[corner.uv];
-        const glm::vec4 t = tangentOf(raw, corner);
-        const ValueKey<13> key = {p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, t.x, t.y, t.z, t.w, mirrored ? 1.f : 0.f};
-        const auto [found, isNew] = numbers.try_emplace(key, std::uint32_t(mesh.vertices.size()));
+        const glm::vec4 tangent = tangentOf(raw, corner);
+        const Bits<4> t = bitsOf(tangent);
+        const auto [number, isNew]
+            = numbering({positions[corner.position], normals[corner.normal], uvs[corner.uv], mirrored, t[0], t[1], t[2], t[3]});
         if (isNew) {
-            mesh.vertices.push_back({.position = p, .normal = n, .uv = uv, .tangent = {}, .dPdu = {}, .dPdv = {}});
-            tangents.push_back(t);
+            mesh.vertices.push_back({.position = raw.positions[corner.position],
+                .normal = raw.normals[corner.normal],
+                .uv = raw.uvs[corner.uv],
+                .tangent = {},
+                .dPdu = {},
+                .dPdv = {}});
+            tangents.push_back(tangent);
         }
-        mesh.indices.push_back(found->second);
+        mesh.indices.push_back(number);
     }
     return tangents;
 }
@@ -306,7 +335,9 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
     mesh.fileHasUVs = allHave(&Corner::uv);
     mesh.fileHasTangents = allHave(&Corner::tangent);
     repairAttributes(raw);
-    mesh.fileVertices = distinctTuples(raw);
+    const Tuples tuples = countTuples(raw);
+    mesh.fileVertices = tuples.distinct;
+    mesh.repeatedVertices = tuples.repeated;
     progress.at(0.6f);
     if (progress.cancelled())
         return failure(where, "cancelled");
@@ -318,8 +349,10 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
     const std::vector<glm::vec4> tangents = joinCorners(raw, mesh);
     mesh.name = std::move(raw.name);
     mesh.parts = std::move(raw.parts);
+    mesh.materials = std::move(raw.materials);
     mesh.warnings = std::move(raw.warnings);
     completeFrames(mesh, tangents);
+    mesh.deformation = deformationOf(mesh, raw);
     progress.at(1.f);
     return mesh;
 }

@@ -3,13 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/curvature.h"
 #include "core/mesh/frames.h"
-#include "core/mesh/value_hash.h"
+#include "core/mesh/numbering.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/mat2x2.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <unordered_map>
 
 namespace relievo {
 
@@ -28,15 +27,13 @@ struct Places {
 
 void joinVertices(const Mesh& mesh, Places& places)
 {
-    std::unordered_map<ValueKey<6>, std::uint32_t, ValueHash<6>> numbers;
-    numbers.reserve(mesh.vertices.size());
+    Numbering<6> numbering(mesh.vertices.size());
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
-        const glm::vec3 p = mesh.vertices[i].position, n = mesh.vertices[i].normal * 512.f; // finer than any hard edge
-        const ValueKey<6> key = {p.x, p.y, p.z, std::round(n.x), std::round(n.y), std::round(n.z)};
-        const auto [found, isNew] = numbers.try_emplace(key, std::uint32_t(places.vertex.size()));
+        const glm::vec3 rounded = glm::round(mesh.vertices[i].normal * 512.f); // finer than any hard edge
+        const auto [number, isNew] = numbering(bitsOf(mesh.vertices[i].position, rounded));
         if (isNew)
             places.vertex.push_back(i);
-        places.ofVertex.push_back(found->second);
+        places.ofVertex.push_back(number);
     }
 }
 

@@ -188,13 +188,28 @@ std::string clauseOf(std::string text)
     return text.empty() ? "the file is damaged" : "the file is damaged (" + text + ')';
 }
 
-Expected<tinygltf::Model> loadModel(const std::string& bytes, const std::filesystem::path& file)
+// A picture that is written into the JSON text, kept while the model is read.
+struct KeptPicture {
+    int number = -1;
+    std::vector<std::byte> bytes;
+};
+
+bool keepPicture(tinygltf::Image* image, int number, std::string*, std::string*, int, int, const unsigned char* data, int size, void* user)
+{
+    KeptPicture* kept = static_cast<KeptPicture*>(user);
+    // Data that lie in a buffer were not checked to lie within it: they are taken from there later.
+    if (kept && kept->number == number && image->bufferView < 0 && data && size > 0) {
+        kept->bytes.resize(std::size_t(size));
+        std::memcpy(kept->bytes.data(), data, std::size_t(size));
+    }
+    return true;
+}
+
+Expected<tinygltf::Model> loadModel(const std::string& bytes, const std::filesystem::path& file, KeptPicture* kept = nullptr)
 {
     try {
         tinygltf::TinyGLTF loader;
-        loader.SetImageLoader(
-            [](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return true; },
-            nullptr);
+        loader.SetImageLoader(keepPicture, kept);
         loader.SetFsCallbacks(fileCallbacks());
         tinygltf::Model model;
         std::string errors, warnings;
@@ -235,6 +250,37 @@ Expected<GltfDocument> loadGltf(const std::filesystem::path& file)
         return tl::unexpected(model.error());
     }
     return GltfDocument{std::move(*model), std::move(*warnings)};
+}
+
+Expected<std::vector<std::byte>> loadGltfPicture(const std::filesystem::path& file, int picture)
+{
+    const Expected<std::string> bytes = readText(file);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    const Expected<std::string_view> text = jsonTextOf(*bytes, file.string());
+    if (!text)
+        return tl::unexpected(text.error());
+    if (const Expected<Warnings> checked = checkDocument(*text, file.string()); !checked)
+        return tl::unexpected(checked.error());
+    KeptPicture kept{picture, {}};
+    const Expected<tinygltf::Model> model = loadModel(*bytes, file, &kept);
+    if (!model)
+        return tl::unexpected(model.error());
+    const std::string name = "the picture " + std::to_string(picture);
+    if (picture < 0 || std::size_t(picture) >= model->images.size())
+        return failure(file.string(), name + " is not in the file", "Open the mesh again");
+    if (!kept.bytes.empty())
+        return std::move(kept.bytes);
+    const int view = model->images[std::size_t(picture)].bufferView;
+    if (view < 0 || std::size_t(view) >= model->bufferViews.size())
+        return failure(file.string(), name + " is not inside the file", "Open the picture itself");
+    const tinygltf::BufferView& span = model->bufferViews[std::size_t(view)];
+    const bool hasBuffer = span.buffer >= 0 && std::size_t(span.buffer) < model->buffers.size();
+    if (!hasBuffer || span.byteOffset > model->buffers[std::size_t(span.buffer)].data.size()
+        || span.byteLength > model->buffers[std::size_t(span.buffer)].data.size() - span.byteOffset)
+        return failure(file.string(), name + " reaches beyond its buffer", kDamaged);
+    const auto* from = reinterpret_cast<const std::byte*>(model->buffers[std::size_t(span.buffer)].data.data()) + span.byteOffset;
+    return std::vector<std::byte>(from, from + span.byteLength);
 }
 
 } // namespace relievo

@@ -3,8 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/error.h"
+#include <cstddef>
 #include <filesystem>
 #include <tiny_gltf.h>
+#include <vector>
 
 namespace relievo {
 
@@ -14,5 +16,8 @@ struct GltfDocument {
     Warnings warnings; // "gltf-types": members of the wrong type, which are ignored
 };
 Expected<GltfDocument> loadGltf(const std::filesystem::path& file);
+
+// The undecoded bytes of the picture with number `picture` of its "images", when they are in the file itself or in one of its buffers.
+Expected<std::vector<std::byte>> loadGltfPicture(const std::filesystem::path& file, int picture);
 
 } // namespace relievo

@@ -4,12 +4,14 @@
 #pragma once
 #include "core/error.h"
 #include "core/progress.h"
+#include "core/state/map_slots.h"
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,17 +33,30 @@ struct Vertex {
 struct MeshPart {
     std::string name, material;
     std::uint32_t firstIndex = 0, indexCount = 0; // into Mesh::indices
+    float relief = 1.f; // share of the relief's depth on this part; 0: plain
 };
+
+// A material as the mesh file describes it; parts refer to it by name.
+struct MeshMaterial {
+    std::string name; // as MeshPart::material, each once
+    // As State::slots takes them: files that exist, absolute. A picture inside a glTF file is "FILE#N", which readImage understands.
+    MapSlots maps;
+};
+
+struct Deformation; // pose.h
 
 struct Mesh {
     std::string name;
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices; // triples
     std::vector<MeshPart> parts; // at least one
+    std::vector<MeshMaterial> materials; // empty when the file describes none; a part may name one that is not here
     glm::vec3 boundsMin{0.f}, boundsMax{0.f};
     float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted (design.md section 3); > 0
     bool fileHasUVs = true, fileHasNormals = true, fileHasTangents = false; // what the file held, before anything was made
     std::size_t fileVertices = 0; // distinct (position, normal, UV) tuples of the file, for `info`
+    std::size_t repeatedVertices = 0; // vertices that the file writes out although an equal one exists (0 for STL, which cannot share)
+    std::shared_ptr<const Deformation> deformation; // skeleton, morph targets and animations; null when the file has none
     Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped" ...
 };
 
@@ -51,6 +66,10 @@ inline constexpr std::array<std::string_view, 5> kShapes = {"plane", "sphere", "
 // nameOrFile: a row of kShapes, or a file: .gltf .glb .obj .ply .stl .off. Errors name the file and the cure; a file without
 // triangles, with broken indices or missing buffers is refused. Finite positions only; bad normals are remade and told.
 Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress = {});
+
+// What an artist may want to mend, for `info`; each says how many: "degenerate-triangles", "degenerate-uvs", "duplicate-vertices",
+// "non-manifold-edges" (more than two triangles meet), "flipped-normals" (they disagree with the winding).
+Warnings inspectMesh(const Mesh& mesh);
 
 // `info --json` of cli.md for a mesh.
 std::string meshJson(const Mesh& mesh);

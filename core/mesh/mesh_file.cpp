@@ -60,9 +60,20 @@ std::string meshJson(const Mesh& mesh)
         parts.push_back({{"name", part.name}, {"material", part.material}, {"triangles", part.indexCount / 3}});
     for (const Warning& warning : mesh.warnings)
         warnings.push_back({{"code", warning.code}, {"text", warning.text}});
-    const Json json = {{"name", mesh.name}, {"vertices", mesh.fileVertices}, {"triangles", mesh.indices.size() / 3}, {"parts", parts},
+    Json json = {{"name", mesh.name}, {"vertices", mesh.fileVertices}, {"triangles", mesh.indices.size() / 3}, {"parts", parts},
         {"uvs", mesh.fileHasUVs}, {"normals", mesh.fileHasNormals}, {"tangents", mesh.fileHasTangents},
         {"bounds", Json::array({point(mesh.boundsMin), point(mesh.boundsMax)})}, {"warnings", warnings}};
+    for (const AnimationClip& clip : mesh.deformation ? mesh.deformation->clips : std::vector<AnimationClip>())
+        json["clips"].push_back({{"name", clip.name}, {"seconds", clip.seconds}});
+    for (const MorphTarget& target : mesh.deformation ? mesh.deformation->targets : std::vector<MorphTarget>())
+        json["targets"].push_back(target.name);
+    for (const MeshMaterial& material : mesh.materials) {
+        Json maps = Json::object();
+        for (const MapKindRow& row : kMapKinds)
+            if (const MapSlot& slot = material.maps[std::size_t(row.kind)]; !slot.empty())
+                maps[std::string(row.key)] = std::filesystem::path(slot.file).filename().string();
+        json["materials"].push_back({{"name", material.name}, {"maps", maps}});
+    }
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

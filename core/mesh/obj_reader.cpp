@@ -15,8 +15,15 @@ namespace relievo {
 namespace {
 using Corner = RawMesh::Corner;
 
-// UTF-16 (with its mark) becomes UTF-8's ASCII part: OBJ keywords and numbers need no more. UTF-8's mark is removed.
-std::string plainText(const std::string& text)
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view kSpaces = " \t\r";
+    text.remove_prefix(std::min(text.find_first_not_of(kSpaces), text.size()));
+    return text.substr(0, text.find_last_not_of(kSpaces) + 1);
+}
+} // namespace
+
+std::string plainText(std::string text)
 {
     const bool bigEndian = text.starts_with("\xFE\xFF"), littleEndian = text.starts_with("\xFF\xFE");
     if (!bigEndian && !littleEndian)
@@ -29,6 +36,7 @@ std::string plainText(const std::string& text)
     return plain;
 }
 
+namespace {
 class ObjParser {
 public:
     ObjParser(std::string where, const Progress& progress) : m_where(std::move(where)), m_progress(progress) { }
@@ -82,21 +90,14 @@ private:
             m_object = trimmed(words.rest());
         } else if (keyword == "usemtl") {
             m_material = trimmed(words.rest());
+        } else if (keyword == "mtllib") {
+            m_libraries.emplace_back(trimmed(words.rest()));
         } else if (keyword == "l" || keyword == "p") {
             ++m_skipped;
         } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
             ++m_freeForm;
         }
         return {};
-    }
-
-    static std::string_view trimmed(std::string_view text)
-    {
-        while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-            text.remove_prefix(1);
-        while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
-            text.remove_suffix(1);
-        return text;
     }
 
     static glm::vec3 triple(TextCursor& words)
@@ -177,24 +178,34 @@ private:
         if (m_raw.corners.empty())
             return failure(m_where, m_skipped > 0 ? "the file holds points and lines, but no faces" : "the file holds no faces",
                 "Export a surface of triangles or polygons");
-        std::vector<Corner> sorted;
-        sorted.reserve(m_raw.corners.size());
         std::stable_sort(m_runs.begin(), m_runs.end(), [](const Run& a, const Run& b) { return a.part < b.part; });
         m_raw.parts.resize(m_partNumbers.size());
         for (const auto& [key, number] : m_partNumbers) {
             m_raw.parts[number].name = key.first;
             m_raw.parts[number].material = key.second;
         }
+        std::size_t end = 0;
         for (const Run& run : m_runs) {
             MeshPart& part = m_raw.parts[run.part];
             if (part.indexCount == 0)
-                part.firstIndex = std::uint32_t(sorted.size());
-            sorted.insert(sorted.end(), m_raw.corners.begin() + std::ptrdiff_t(run.begin), m_raw.corners.begin() + std::ptrdiff_t(run.end));
-            part.indexCount = std::uint32_t(sorted.size()) - part.firstIndex;
+                part.firstIndex = std::uint32_t(end);
+            end += run.end - run.begin;
+            part.indexCount = std::uint32_t(end) - part.firstIndex;
         }
-        m_raw.corners = std::move(sorted);
+        if (!std::ranges::is_sorted(m_runs, {}, &Run::begin))
+            m_raw.corners = inOrderOfRuns();
+        m_raw.materials = readMtl(m_where, m_libraries, m_raw.warnings);
         warnOfLosses();
         return std::move(m_raw);
+    }
+
+    std::vector<Corner> inOrderOfRuns() const
+    {
+        std::vector<Corner> sorted;
+        sorted.reserve(m_raw.corners.size());
+        for (const Run& run : m_runs)
+            sorted.insert(sorted.end(), m_raw.corners.begin() + std::ptrdiff_t(run.begin), m_raw.corners.begin() + std::ptrdiff_t(run.end));
+        return sorted;
     }
 
     void warnOfLosses()
@@ -214,6 +225,7 @@ private:
     const Progress& m_progress;
     RawMesh m_raw;
     std::string m_object, m_material;
+    std::vector<std::string> m_libraries;
     std::map<std::pair<std::string, std::string>, std::size_t> m_partNumbers;
     std::vector<Run> m_runs;
     std::vector<Corner> m_polygon;
@@ -223,12 +235,12 @@ private:
 
 Expected<RawMesh> readObj(const std::filesystem::path& file, const Progress& progress)
 {
-    const Expected<std::string> text = readText(file);
+    Expected<std::string> text = readText(file);
     if (!text)
         return tl::unexpected(text.error());
     if (text->empty())
         return failure(file.string(), "the file is empty", "Export it again");
-    return ObjParser(file.string(), progress).parse(plainText(*text));
+    return ObjParser(file.string(), progress).parse(plainText(std::move(*text)));
 }
 
 } // namespace relievo

@@ -175,6 +175,7 @@ Expected<RawMesh> readStl(const std::filesystem::path& file, const Progress& pro
     if (faces < claim->faces)
         raw.warn("triangles-dropped", std::to_string(claim->faces - faces) + " faces without area or with broken corners were left out.");
     raw.countsUnused = true;
+    raw.sharesVertices = false;
     raw.parts = {{"", "", 0, std::uint32_t(raw.corners.size())}};
     return raw;
 }

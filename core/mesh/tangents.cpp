@@ -2,15 +2,15 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/tangents.h"
-#include "core/mesh/value_hash.h"
+#include "core/mesh/numbering.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <tbb/parallel_sort.h>
+#include <numeric>
+#include <span>
 #include <tuple>
-#include <unordered_map>
 
 namespace relievo {
 
@@ -63,13 +63,10 @@ private:
     // Vertices that agree in position, normal and UV get one number.
     void weld()
     {
-        std::unordered_map<ValueKey<8>, std::uint32_t, ValueHash<8>> numbers;
-        numbers.reserve(m_mesh.vertices.size());
+        Numbering<8> numbering(m_mesh.vertices.size());
         m_welded.reserve(m_mesh.vertices.size());
-        for (const Vertex& v : m_mesh.vertices) {
-            const ValueKey<8> key = {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.uv.x, v.uv.y};
-            m_welded.push_back(numbers.try_emplace(key, std::uint32_t(numbers.size())).first->second);
-        }
+        for (const Vertex& v : m_mesh.vertices)
+            m_welded.push_back(numbering(bitsOf(v.position, v.normal, v.uv)).number);
     }
 
     Triangle triangleOf(std::uint32_t index) const
@@ -94,28 +91,45 @@ private:
     // Two triangles are neighbours where one runs along an edge as the other runs back; a third at the same edge finds its own mate.
     void findNeighbours()
     {
-        struct Edge {
-            std::uint32_t low, high, corner;
-            bool operator<(const Edge& o) const { return std::tie(low, high, corner) < std::tie(o.low, o.high, o.corner); }
-        };
+        // The edges of place p, its lower end: edges[starts[p]] .. edges[starts[p + 1] - 1], by their other end and then by corner.
+        std::vector<std::uint32_t> starts(m_mesh.vertices.size() + 1, 0);
         std::vector<Edge> edges;
-        edges.reserve(m_mesh.indices.size());
-        for (std::uint32_t corner = 0; corner < m_group.size(); ++corner) {
-            const std::uint32_t a = welded(corner), b = welded(next(corner));
-            if (!m_triangles[corner / 3].collapsed)
-                edges.push_back({std::min(a, b), std::max(a, b), corner});
+        for (const bool counting : {true, false}) {
+            for (std::uint32_t corner = 0; corner < m_group.size(); ++corner) {
+                const std::uint32_t a = welded(corner), b = welded(next(corner));
+                if (m_triangles[corner / 3].collapsed)
+                    continue;
+                if (counting)
+                    ++starts[std::min(a, b) + 1];
+                else
+                    edges[starts[std::min(a, b)]++] = {std::max(a, b), corner};
+            }
+            if (!counting)
+                break;
+            std::partial_sum(starts.begin(), starts.end(), starts.begin());
+            edges.resize(starts.back());
         }
-        tbb::parallel_sort(edges);
+        for (std::uint32_t p = 0, first = 0; p + 1 < starts.size(); first = starts[p++]) { // each start has moved to the next one's place
+            std::sort(edges.begin() + first, edges.begin() + starts[p],
+                [](const Edge& a, const Edge& b) { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
+            pairEdges(p, std::span(edges).subspan(first, starts[p] - first));
+        }
+    }
+
+    struct Edge {
+        std::uint32_t high, corner;
+    };
+
+    void pairEdges(std::uint32_t low, std::span<const Edge> edges)
+    {
         for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
-            std::vector<std::uint32_t>& there = m_there;
-            std::vector<std::uint32_t>& back = m_back;
-            there.clear();
-            back.clear();
-            for (last = first; last < edges.size() && edges[last].low == edges[first].low && edges[last].high == edges[first].high; ++last)
-                (welded(edges[last].corner) == edges[first].low ? there : back).push_back(edges[last].corner);
-            for (std::size_t i = 0; i < std::min(there.size(), back.size()); ++i) {
-                m_triangles[there[i] / 3].neighbours[there[i] % 3] = back[i] / 3;
-                m_triangles[back[i] / 3].neighbours[back[i] % 3] = there[i] / 3;
+            m_there.clear();
+            m_back.clear();
+            for (last = first; last < edges.size() && edges[last].high == edges[first].high; ++last)
+                (welded(edges[last].corner) == low ? m_there : m_back).push_back(edges[last].corner);
+            for (std::size_t i = 0; i < std::min(m_there.size(), m_back.size()); ++i) {
+                m_triangles[m_there[i] / 3].neighbours[m_there[i] % 3] = m_back[i] / 3;
+                m_triangles[m_back[i] / 3].neighbours[m_back[i] % 3] = m_there[i] / 3;
             }
         }
     }

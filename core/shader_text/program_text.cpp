@@ -232,16 +232,19 @@ void boundFiles(Assembly& part, const TechniqueRow& technique, std::string_view 
 }
 
 // The technique and what it reads the maps by, for pictures.
-void searchFiles(Assembly& part, const TechniqueRow& technique, bool readsCorners, bool coarser)
+void searchFiles(Assembly& part, const TechniqueRow& technique, const ProgramFeatures& features)
 {
-    part.file(listHas(technique.maps, "height") ? "heights_filtered.glsl" : "heights_none.glsl");
-    if (technique.isExact || readsCorners) {
-        if (!listHas(technique.maps, "height"))
+    const bool filtered = listHas(technique.maps, "height") && (!technique.isExact || features.coarser); // else no level is chosen by pixel
+    part.file(filtered ? "heights_filtered.glsl" : "heights_none.glsl");
+    if (technique.isExact || features.view == "error") {
+        if (!filtered)
             part.file("level_base.glsl");
-        part.file("wrapped_texel.glsl").file(coarser ? "heights_corners_texels.glsl" : "heights_corners.glsl");
+        part.file(features.clamps ? "edges_clamp.glsl" : "edges_repeat.glsl")
+            .file("wrapped_texel.glsl")
+            .file(features.coarser ? "heights_corners_texels.glsl" : "heights_corners.glsl");
     }
     boundFiles(part, technique, "bounds_filtered.glsl", "volume_filtered.glsl");
-    if (listHas(technique.maps, "height"))
+    if (filtered)
         part.file("height_on.glsl");
     part.file(technique.file);
 }
@@ -267,6 +270,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
                 .file(features.softShadows ? "shadow_soft.glsl" : "shadow_hard.glsl");
         else
             part.file("shadow_none.glsl");
+        part.file(features.objectShadows ? "shadow_map.glsl" : "shadow_map_none.glsl");
         if (isLit(features.view))
             part.file("environment.glsl").file(kShadingFiles[features.shading]);
         part.file(view->file);
@@ -285,7 +289,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         .file(kFrameFiles[features.frames])
         .file(features.faded ? "depth_faded.glsl" : "depth_constant.glsl")
         .generated(mapFunctions(features.maps, drafted->text));
-    searchFiles(part, *technique, features.view == "error", features.coarser);
+    searchFiles(part, *technique, features);
     part.file(features.curved ? "sight_curved.glsl" : "sight_straight.glsl")
         .file(features.view == "outline" ? "holes_shown.glsl" : "holes_cut.glsl")
         .file(features.depthOfHit ? "depth_of_hit.glsl" : "depth_of_polygon.glsl");
@@ -301,9 +305,9 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     return part.file("main.glsl").finish();
 }
 
-Expected<ShaderText> meshVertex(bool curved, const ShaderReader& read)
+Expected<ShaderText> meshVertex(bool posed, bool curved, const ShaderReader& read)
 {
-    return Assembly(read).file("place_rest.glsl").file(curved ? "curved_quadric.glsl" : "curved_none.glsl").file("mesh_vertex.glsl").finish();
+    return Assembly(read).file(posed ? "place_posed.glsl" : "place_rest.glsl").file(curved ? "curved_quadric.glsl" : "curved_none.glsl").file("mesh_vertex.glsl").finish();
 }
 
 Expected<ProgramText> program(Expected<ShaderText> vertex, Expected<ShaderText> fragment)
@@ -324,11 +328,13 @@ ProgramFeatures programFeatures(
     const TechniqueRow* row = findTechnique(technique);
     const bool lit = isLit(view);
     features.coarser = row && row->isExact && parameters.heightMips;
+    features.clamps = row && (row->isExact || view == "error") && parameters.wrap == 1;
     features.shading = lit ? parameters.shading : 0;
     features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
     features.frames = parameters.frames;
     features.curved = parameters.silhouettes != 0 && row && row->searches;
     features.depthOfHit = parameters.depthOfHit && row && row->displaces;
+    features.objectShadows = parameters.objectShadows && (lit || view == "shadow");
     features.faded = parameters.edgeFade > 0.f;
     features.shadows = (lit || view == "shadow") && parameters.shadows && row && row->searches;
     return features;
@@ -336,7 +342,7 @@ ProgramFeatures programFeatures(
 
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read)
 {
-    return program(meshVertex(features.curved, read), meshFragment(features, read));
+    return program(meshVertex(features.posed, features.curved, read), meshFragment(features, read));
 }
 
 Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read)
@@ -350,9 +356,9 @@ Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read)
     return program(Assembly(read).file("background_vertex.glsl").finish(), fragment.file("background.glsl").finish());
 }
 
-Expected<ProgramText> wireframeProgram(const ShaderReader& read)
+Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)
 {
-    return program(meshVertex(false, read), Assembly(read).file("wireframe.glsl").finish());
+    return program(meshVertex(posed, false, read), Assembly(read).file("wireframe.glsl").finish());
 }
 
 Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect)
@@ -364,6 +370,7 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
     fragment.file("contract.glsl");
     if (listHas(row->maps, "height"))
         fragment.file("level_base.glsl")
+            .file("edges_either.glsl")
             .file("wrapped_texel.glsl")
             .file(dialect == Dialect::Desktop ? "heights_corners.glsl" : "heights_corners_texels.glsl")
             .file("heights_exact.glsl")
@@ -398,6 +405,9 @@ std::string uniformDeclarations(const std::string& text)
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
     declare("samplerCube", "environmentMap");
+    declare("sampler2DShadow", "shadowMap");
+    declare("samplerBuffer", "poseMap"); // see place_posed.glsl
+    declare("samplerBuffer", "morphMap");
     declare("sampler2D", "rayMap");
     declare("sampler2D", "cosineMap");
     return declarations;

@@ -28,6 +28,9 @@ struct ProgramFeatures {
     bool curved = false; // silhouettes
     bool depthOfHit = false; // the parameter
     bool faded = false; // edgeFade
+    bool posed = false; // the mesh deforms
+    bool objectShadows = false; // the parameter, where light is computed
+    bool clamps = false; // an exact search ends at the tile's borders
     auto operator<=>(const ProgramFeatures&) const = default;
 };
 // The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.
@@ -51,7 +54,7 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 // The programs of the renderer, GLSL 4.10.
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
 Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read);
-Expected<ProgramText> wireframeProgram(const ShaderReader& read);
+Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
 // GLSL 4.10, or ES 3.00 as WebGL2 has it.
 enum class Dialect { Desktop, Es };
 // Runs the technique's search on rays in textures (`trace --device gl`).

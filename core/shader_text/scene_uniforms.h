@@ -24,6 +24,8 @@ struct SceneUniforms {
     float pushOut = 0.f; // how far the mesh is pushed out so that the midlevel lies on it, m
     float exposureFactor = 1.f; // 2^exposure
     float heatScale = 1.f; // of the view's value to [0, 1]
+    glm::mat4 shadowFromWorld{1.f}; // clip space of the light's map
+    float shadowTexel = 0.f; // its texel's size, m
 };
 
 using SceneMember = std::variant<float SceneUniforms::*, glm::vec2 SceneUniforms::*, glm::vec3 SceneUniforms::*, glm::mat2 SceneUniforms::*,
@@ -45,6 +47,8 @@ inline constexpr auto kSceneUniforms = std::to_array<SceneUniformRow>({
     {&SceneUniforms::pushOut, "pushOut"},
     {&SceneUniforms::exposureFactor, "exposureFactor"},
     {&SceneUniforms::heatScale, "heatScale"},
+    {&SceneUniforms::shadowFromWorld, "shadowFromWorld"},
+    {&SceneUniforms::shadowTexel, "shadowTexel"},
 });
 
 // All of them for a view of the mesh; metresOfMesh is Mesh::metresPerUV.

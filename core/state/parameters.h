@@ -38,11 +38,15 @@ struct Parameters { // the initialisers ARE the defaults
     int silhouettes = 0;
     bool depthOfHit = false;
     float edgeFade = 0.f;
+    int clip = 0;
+    float time = 0.f;
     // Shadows
     bool shadows = true;
     float shadowStrength = 1.f;
     float shadowBias = 0.02f;
     float lightSize = 0.f;
+    bool objectShadows = false;
+    int shadowMapSize = 1024;
     // Shading
     int shading = 0;
     glm::vec3 tint{1.f};
@@ -81,7 +85,7 @@ struct ParameterRow {
     Group group;
     float min, max; // hard limits: loading clamps and warns, the slider stops
     std::string_view unit; // "" for a plain number
-    std::string_view shown; // "" always; "technique": only for techniques that list it; "KEY=VALUE": only while KEY has that value
+    std::string_view shown; // "" always; "technique": only for techniques that list it; "animated": for meshes that move, by a bar of its own; "KEY=VALUE": only while KEY has that value
     std::string_view options; // choices, separated by spaces, in the order of their values; "" for anything else
     std::string_view help;
 };
@@ -132,6 +136,9 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         "Writes the depth of the point seen instead of the polygon's, so that surfaces meet where their relief does."},
     {&Parameters::edgeFade, "edgeFade", "Fade at edges", Group::Mesh, 0.f, 1.f, "cos", "", "",
         "Makes the relief shallow where the surface is seen edge-on: below this cosine of view; 0 keeps its depth."},
+    {&Parameters::clip, "clip", "Animation", Group::Mesh, 0.f, 63.f, "", "animated", "", "Which animation of the mesh moves it, counted from 0."},
+    {&Parameters::time, "time", "Time", Group::Mesh, 0.f, 3600.f, "s", "animated", "",
+        "Moment of the animation, which repeats after its end."},
 
     {&Parameters::shadows, "shadows", "Self-shadows", Group::Shadows, 0.f, 1.f, "", "technique", "",
         "Relief casts hard shadows on itself, found by the same search towards the light."},
@@ -141,6 +148,10 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         "How much higher than the point an occluder must lie, as a share of the depth; hides shadow acne. Exact techniques need none."},
     {&Parameters::lightSize, "lightSize", "Light size", Group::Shadows, 0.f, 20.f, "deg", "shadows=1", "",
         "Angle that the light's disc fills: 0 casts hard shadows, more casts penumbras (and costs 8 searches instead of one)."},
+    {&Parameters::objectShadows, "objectShadows", "Between objects", Group::Shadows, 0.f, 1.f, "", "", "",
+        "Objects cast shadows on each other, with their relief: a map of what the light sees."},
+    {&Parameters::shadowMapSize, "shadowMapSize", "Shadow map", Group::Shadows, 64.f, 8192.f, "texels", "objectShadows=1", "",
+        "Texels a side of the map for shadows between objects; more make finer edges."},
 
     {&Parameters::shading, "shading", "Model", Group::Shading, 0.f, 1.f, "", "", "metallic-roughness blinn-phong",
         "Metallic-roughness as glTF and engines, or Blinn-Phong as the relief mapping papers."},

@@ -11,23 +11,39 @@ namespace relievo {
 struct PresetRow {
     std::string_view key;
     std::string_view label;
+    std::string_view sample; // of kSamples: the preset is a whole scene, opened as "scene:KEY"; "" for numbers only
     std::string_view json; // a partial State
     std::string_view help;
 };
 
 inline constexpr auto kPresets = std::to_array<PresetRow>({
-    {"preview", "Preview",
+    {"preview", "Preview", "",
         R"({"relievo":1,"parameters":{"minSteps":4,"maxSteps":16,"refineSteps":4,"shadows":false},"panes":[{"technique":"relief"}]})",
         "Few steps and no shadows: for slow machines and small sizes."},
-    {"game", "Game",
+    {"game", "Game", "",
         R"({"relievo":1,"parameters":{"minSteps":8,"maxSteps":32,"refineSteps":5,"shadows":true},"panes":[{"technique":"relief"}]})",
         "What engines ship: 8 to 32 steps and five refinements."},
-    {"paper", "Paper 2005",
+    {"paper", "Paper 2005", "",
         R"({"relievo":1,"parameters":{"minSteps":10,"maxSteps":40,"refineSteps":6,"shadows":true,"shading":"blinn-phong"},"panes":[{"technique":"relief"}]})",
         "Relief mapping and Blinn-Phong light as in Policarpo, Oliveira and Comba 2005."},
-    {"fine", "Fine",
+    {"fine", "Fine", "",
         R"({"relievo":1,"parameters":{"minSteps":64,"maxSteps":256,"refineSteps":8,"shadows":true},"panes":[{"technique":"relief"}]})",
         "Many steps: for stills and for judging the others."},
+    {"teapot-cobbles", "Teapot, cobbles", "cobblestones",
+        R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.12,"silhouettes":"quadric","depthOfHit":true,"shadows":true},"camera":{"yaw":30,"pitch":20,"fov":35},"panes":[{"technique":"relief"}]})",
+        "A pot in stones, as in Policarpo, Oliveira and Comba 2005, with silhouettes."},
+    {"teapot-scales", "Teapot, scales", "scales",
+        R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.08,"silhouettes":"quadric","depthOfHit":true,"shadows":true},"camera":{"yaw":30,"pitch":20,"fov":35},"panes":[{"technique":"relief"}]})",
+        "The same pot in scales."},
+    {"teapot-bricks", "Teapot, bricks", "bricks",
+        R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.06,"silhouettes":"quadric","depthOfHit":true,"shadows":true},"camera":{"yaw":30,"pitch":20,"fov":35},"panes":[{"technique":"relief"}]})",
+        "The same pot in bricks."},
+    {"interpenetration", "Interpenetration", "cobblestones",
+        R"({"relievo":1,"mesh":"spheres","parameters":{"depth":0.12,"tiling":1,"depthOfHit":true,"shadows":true,"objectShadows":true,"silhouettes":"quadric"},"camera":{"yaw":30,"pitch":40,"fov":35},"panes":[{"technique":"relief"}]})",
+        "A relief plane with three spheres in it, as figure 18 of Policarpo, Oliveira and Comba 2005."},
+    {"character", "Animated character", "scales",
+        R"({"relievo":1,"mesh":"character","parameters":{"depth":0.06,"silhouettes":"quadric","depthOfHit":true,"shadows":true},"camera":{"yaw":30,"pitch":10,"fov":35},"panes":[{"technique":"relief"}]})",
+        "A figure that walks, with relief on its bending limbs. Play it under the picture."},
 });
 
 // nameOrFile: a key of kPresets, or a JSON file. Errors: neither.

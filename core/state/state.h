@@ -35,6 +35,7 @@ struct State {
     Parameters parameters;
     MapSlots slots;
     std::string mesh = "plane"; // a shape's key or an absolute path
+    std::string part; // material of the mesh file whose parts show this material; "" for all, the others are plain
     std::string environment = "studio"; // "studio" or an absolute path
     Camera camera;
     std::string view = "shaded";

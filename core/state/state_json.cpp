@@ -87,7 +87,7 @@ std::string toJson(const State& state, const fs::path& folder)
 {
     const std::string mesh = fs::path(state.mesh).is_absolute() ? relativeTo(folder, state.mesh) : state.mesh;
     const Json json = {{"relievo", kStateVersion}, {"name", state.name}, {"maps", mapsJson(state.slots, folder)},
-        {"parameters", parametersJson(state.parameters)}, {"mesh", mesh}, {"environment", relativeTo(folder, state.environment)},
+        {"parameters", parametersJson(state.parameters)}, {"mesh", mesh}, {"part", state.part}, {"environment", relativeTo(folder, state.environment)},
         {"camera", cameraJson(state.camera)}, {"view", state.view}, {"panes", panesJson(state.panes)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -125,6 +125,8 @@ public:
                 });
             if (key == "mesh")
                 return file(value, key, state.mesh, !std::ranges::count(kShapes, value.is_string() ? value.get<std::string>() : ""));
+            if (key == "part")
+                return text(value, key, state.part);
             if (key == "environment")
                 return file(value, key, state.environment, value != "studio");
             if (key == "camera")

@@ -24,7 +24,7 @@ inline constexpr auto kViews = std::to_array<ViewRow>({
     {"normal", "Normal", "views/normal.glsl", "", false, false, "World-space normal, as n / 2 + 1/2."},
     {"depth", "Depth", "views/depth.glsl", "depth", true, false, "Depth that the search found: 0 on the surface, 1 deepest."},
     {"fetches", "Fetches", "views/fetches.glsl", "fetches", true, false, "Texture reads of the search at each pixel."},
-    {"shadow", "Shadow", "views/shadow.glsl", "", false, false, "Self-shadow alone: white lit, black shadowed."},
+    {"shadow", "Shadow", "views/shadow.glsl", "", false, false, "Shadow alone: white lit, black shadowed."},
     {"position", "Position", "views/position.glsl", "", false, false,
         "World-space position of the point seen in metres, x red, y green, z blue; for float pictures."},
     {"outline", "Outline", "views/outline.glsl", "", false, false, "What silhouettes cut off the mesh, in red."},

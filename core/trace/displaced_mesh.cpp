@@ -50,17 +50,18 @@ struct Base {
     }
     glm::vec2 uv(std::uint32_t vertex) const { return uniforms.textureFromMesh * mesh.vertices[vertex].uv + uniforms.textureShift; }
 
-    glm::vec3 displaced(const std::uint32_t* corners, glm::vec3 weights) const
+    // relief: share of the depth on this triangle's part.
+    glm::vec3 displaced(const std::uint32_t* corners, glm::vec3 weights, float relief) const
     {
         glm::vec3 place(0.f), normal(0.f);
         glm::dvec2 at(0.);
         for (int k = 0; k < 3; ++k) {
-            place += position(corners[k]) * weights[k];
+            place += (relief > 0.f ? position(corners[k]) : mesh.vertices[corners[k]].position) * weights[k];
             normal += mesh.vertices[corners[k]].normal * weights[k];
             at += glm::dvec2(uv(corners[k])) * double(weights[k]);
         }
         const float length = glm::length(normal);
-        const float down = (1.f - field.at(glm::vec2(at))) * uniforms.reliefDepth;
+        const float down = (1.f - field.at(glm::vec2(at))) * uniforms.reliefDepth * relief;
         return length > 0.f ? place - normal * (down / length) : place;
     }
 };
@@ -86,13 +87,13 @@ std::uint32_t gridIndex(std::uint32_t i, std::uint32_t j)
 }
 
 // The grid of one triangle: (pieces + 1) (pieces + 2) / 2 points and pieces^2 micro-triangles.
-void cut(const Base& base, const std::uint32_t* corners, std::uint32_t pieces, float* vertices, std::uint32_t firstVertex,
+void cut(const Base& base, const std::uint32_t* corners, float relief, std::uint32_t pieces, float* vertices, std::uint32_t firstVertex,
     std::uint32_t* triangles)
 {
     for (std::uint32_t i = 0; i <= pieces; ++i)
         for (std::uint32_t j = 0; j <= i; ++j) {
             const glm::vec3 weights(float(pieces - i) / float(pieces), float(i - j) / float(pieces), float(j) / float(pieces));
-            const glm::vec3 point = base.displaced(corners, weights);
+            const glm::vec3 point = base.displaced(corners, weights, relief);
             float* out = vertices + std::size_t(gridIndex(i, j)) * 3;
             out[0] = point.x, out[1] = point.y, out[2] = point.z;
         }
@@ -137,6 +138,14 @@ Plan plan(const Base& base, const DisplacedMesh::Detail& detail)
     return result;
 }
 
+std::vector<float> reliefOfTriangles(const Mesh& mesh)
+{
+    std::vector<float> reliefs(mesh.indices.size() / 3, 1.f);
+    for (const MeshPart& part : mesh.parts)
+        std::fill_n(reliefs.begin() + std::ptrdiff_t(part.firstIndex / 3), part.indexCount / 3, part.relief);
+    return reliefs;
+}
+
 bool countMemory(void* user, ssize_t bytes, bool)
 {
     *static_cast<std::atomic<std::ptrdiff_t>*>(user) += bytes;
@@ -159,6 +168,7 @@ Expected<DisplacedMesh> DisplacedMesh::build(
     if (base.uniforms.pushOut != 0.f)
         base.push = pushDirections(mesh);
     const Plan cuts = plan(base, detail);
+    const std::vector<float> reliefs = reliefOfTriangles(mesh);
 
     const auto impl = std::make_shared<Impl>();
     impl->triangles = cuts.firstTriangle.back();
@@ -179,7 +189,7 @@ Expected<DisplacedMesh> DisplacedMesh::build(
         tbb::parallel_for(std::size_t(0), cuts.pieces.size(), [&](std::size_t i) {
             if (progress.cancelled())
                 return;
-            cut(base, &mesh.indices[3 * i], cuts.pieces[i], vertices + 3 * cuts.firstVertex[i], std::uint32_t(cuts.firstVertex[i]),
+            cut(base, &mesh.indices[3 * i], reliefs[i], cuts.pieces[i], vertices + 3 * cuts.firstVertex[i], std::uint32_t(cuts.firstVertex[i]),
                 indices + 3 * cuts.firstTriangle[i]);
             if (++done % 256 == 0)
                 progress.at(0.5f * float(done) / float(cuts.pieces.size()));

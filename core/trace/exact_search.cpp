@@ -210,7 +210,7 @@ SearchHit ExactSearch::hit(const SearchRay& ray, double raise) const
     Axis &x = walk.x, &y = walk.y;
     if (!x.isNear() || !y.isNear())
         return exactHit(m_field, ray, raise);
-    const auto found = [&](double t) { return SearchHit{true, t, ray.uv + ray.duv * t, walk.fetches}; };
+    const auto found = [&](double t) { return SearchHit{true, t, ray.uv + ray.duv * t, walk.fetches, 0}; };
 
     double t = std::max(0., walk.clear - double(m_maxima.back()));
     if (t >= 1.)

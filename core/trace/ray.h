@@ -18,6 +18,7 @@ struct SearchHit {
     double t = 1.;
     glm::dvec2 uv{0.};
     int fetches = 0; // texture reads of the search; for the reference the cells and pyramid nodes visited
+    int bytes = 0; // that the fetches return, as the maps are stored; 0 for the reference
 };
 
 } // namespace relievo

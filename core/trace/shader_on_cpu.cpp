@@ -35,24 +35,37 @@ struct Hit {
 struct Machine : Parameters {
     const HeightField* heightMap = nullptr;
     const SearchTexture* boundMap = nullptr;
+    int heightBytes = 0, boundBytes = 0; // of a texel as it is uploaded
+    mutable int bytes = 0; // fetched so far
 
     static ivec2 textureSize(const HeightField* map, int) { return {map->width(), map->height()}; }
+    bool clamped() const { return wrap == 1; }
     static int searchLevel() { return 0; }
     vec2 searchSize() const { return vec2(boundSize()); }
     ivec2 boundSize() const { return textureSize(heightMap, 0); }
-    float heightAt(vec2 uv) const { return heightMap->at(uv); }
+    float heightAt(vec2 uv) const
+    {
+        bytes += heightBytes;
+        return heightMap->at(uv);
+    }
 #include "shaders/bend_quadric.glsl"
 #include "shaders/height_on.glsl"
     vec4 cornersAt(vec2 cell) const
     {
+        bytes += 4 * heightBytes;
         const HeightField::Corners c = heightMap->corners(int(cell.x), int(cell.y));
         return {c.h00, c.h10, c.h01, c.h11};
     }
 
     vec4 boundScale() const { return boundMap->scales.front(); }
-    float boundTexel(ivec2 texel) const { return boundMap->levels.front().value(texel.x, texel.y, 0); }
+    float boundTexel(ivec2 texel) const
+    {
+        bytes += boundBytes;
+        return boundMap->levels.front().value(texel.x, texel.y, 0);
+    }
     uvec4 cellCodes(ivec2 cell) const
     {
+        bytes += boundBytes;
         std::uint16_t codes[4];
         const Image& image = boundMap->levels.front();
         std::memcpy(
@@ -61,6 +74,7 @@ struct Machine : Parameters {
     }
     vec4 boundAt(vec2 uv) const
     {
+        bytes += boundBytes;
         const Image& image = boundMap->levels.front();
         const Bilinear at(uv, {image.width, image.height}, heightMap->wrap());
         vec4 value(0.f);
@@ -70,6 +84,7 @@ struct Machine : Parameters {
     }
     float distanceAt(vec3 at) const
     {
+        bytes += boundBytes;
         const Image& image = boundMap->levels.front();
         const int rows = image.height / boundMap->slices;
         const Bilinear place({at.x, at.y}, {image.width, rows}, heightMap->wrap());
@@ -124,23 +139,33 @@ namespace relievo {
 
 namespace {
 
-using Search = glsl::Hit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glsl::vec2);
+struct CountedHit {
+    glsl::Hit hit;
+    int bytes;
+};
+using Search = CountedHit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glsl::vec2);
 struct SearchRow {
     std::string_view file;
     Search search;
 };
 
-template <class Technique> glsl::Hit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray, glsl::vec2 bend)
+template <class Technique> CountedHit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray, glsl::vec2 bend)
 {
     Technique technique;
     static_cast<Parameters&>(technique) = parameters;
-    technique.boundMap = maps.bound.get();
     technique.curve = {0.f, bend};
+    technique.boundMap = maps.bound.get();
+    if (maps.bound) {
+        const Image& image = maps.bound->levels.front();
+        technique.boundBytes = image.channels * int(bytesOf(image.type));
+    }
     if (maps.height) {
+        technique.heightBytes = maps.height->storedBits() <= 16 ? 2 : 4;
         technique.heightMap = &*maps.height;
         technique.wrap = maps.height->wrap() == Wrap::Clamp ? 1 : 0;
     }
-    return technique.trace(ray);
+    const glsl::Hit hit = technique.trace(ray);
+    return {hit, technique.bytes};
 }
 
 // The generated list again, now as a table.
@@ -159,8 +184,8 @@ SearchHit searched(Search search, const Parameters& parameters, const SearchMaps
 {
     if (!finite(ray))
         return {};
-    const glsl::Hit hit = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec2(ray.bend));
-    return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches};
+    const auto [hit, bytes] = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec2(ray.bend));
+    return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches, bytes};
 }
 
 } // namespace

@@ -12,7 +12,7 @@ vec3 shade(Surface surface)
     if (nl > 0.0f) {
         float nh = max(dot(n, normalize(lightDirection + surface.toEye)), 0.0f);
         vec3 highlight = specularAt(uv, surface.footprint) * (specular * pow(nh, shininess));
-        color += (base * nl + highlight) * lightColor * (lightIntensity * lightReaching(surface));
+        color += (base * nl + highlight) * lightColor * (lightIntensity * min(lightReaching(surface), lightPassing(surface)));
     }
     return color;
 }

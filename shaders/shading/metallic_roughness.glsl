@@ -29,7 +29,7 @@ vec3 shade(Surface surface)
         float grazing2 = grazing * grazing;
         vec3 fresnel = f0 + (1.0f - f0) * (grazing2 * grazing2 * grazing);
         color = (diffuse * (1.0f - fresnel) + fresnel * (distribution * visibility)) * lightColor
-            * (lightIntensity * nl * lightReaching(surface));
+            * (lightIntensity * nl * min(lightReaching(surface), lightPassing(surface)));
     }
 
     vec4 r = rough * vec4(-1.0f, -0.0275f, -0.572f, 0.022f) + vec4(1.0f, 0.0425f, 1.04f, -0.04f);

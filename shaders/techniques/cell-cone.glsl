@@ -8,6 +8,7 @@
 Hit trace(Ray ray)
 {
     vec2 size = searchSize();
+    vec2 perTexel = 1.0f / size;
     vec2 slope = ray.duv * size;
     vec2 inverse = inverseOf(slope);
     vec2 ahead = vec2(slope.x < 0.0f ? 0.0f : 1.0f, slope.y < 0.0f ? 0.0f : 1.0f);
@@ -22,51 +23,61 @@ Hit trace(Ray ray)
     float capUnit = scale.y / 255.0f;
     float steepUnit = travel * scale.z / 65025.0f;
     // The nodes have 1, 4, 16 and 64 cells a side; their walls ahead lie this far from their low corners.
-    vec4 spanX = vec4(1.0f, 4.0f, 16.0f, 64.0f) * ahead.x;
-    vec4 spanY = vec4(1.0f, 4.0f, 16.0f, 64.0f) * ahead.y;
+    vec4 acrossX = vec4(1.0f, 4.0f, 16.0f, 64.0f) * ahead.x;
+    vec4 acrossY = vec4(1.0f, 4.0f, 16.0f, 64.0f) * ahead.y;
     vec2 border = size * ahead;
-    float beyond = wrap == 1 ? 2.0f : 0.0f; // beyond a clamped border a node goes on
     float lowest = 1.0f - ray.end;
-    Walk walk = walkFrom(ray, slope, size, max(1.0f - scale.w, 0.0f) / (1.0f + bendRise(0.0f)));
+    Walk walk = walkFrom(ray, slope, size, perTexel, max(1.0f - scale.w, 0.0f) / (1.0f + bendRise(0.0f)));
     int fetches = 0;
     int i = 0;
-    while (i < 65536 && walk.z > lowest) {
+    float z = heightOf(walk);
+    while (i < 65536 && z > lowest) {
         float best = 0.0f;
         float leave = 0.0f;
         // Leaps, until the ray stays in its cell and may touch it. Apart from the solving below, because machines that run many rays
         // in step pay for both.
-        while (i < 65536 && walk.z > lowest) {
-            ivec2 key = ivec2(clamp(walk.cell, vec2(0.0f), size - 1.0f));
-            uvec4 codes = cellCodes(key);
+        while (i < 65536 && z > lowest) {
+            vec2 inside = clamped() ? clamp(walk.cell, vec2(0.0f), size - 1.0f) : walk.cell;
+            ivec2 key = ivec2(inside);
+            ivec4 codes = ivec4(cellCodes(key));
             ++fetches;
-            float rise = 1.0f + bendRise(1.0f - walk.z);
-            vec4 above = vec4(walk.z - scale.x + bendFrom(1.0f - walk.z).x) - vec4(codes >> 8u) * capUnit;
-            vec4 steep = vec4(codes & 255u);
+            float rise = 1.0f + bendRise(1.0f - z); // of the heights against the ray
+            vec4 above = (z - scale.x + bendFrom(1.0f - z).x) - vec4(codes >> 8) * capUnit;
+            vec4 steep = vec4(codes & 255);
             vec4 cone = above / (rise + steep * steep * steepUnit);
-            vec4 wallX = min(vec4(ivec4(key.x) & ivec4(-1, -4, -16, -64)) + spanX, vec4(size.x));
-            vec4 wallY = min(vec4(ivec4(key.y) & ivec4(-1, -4, -16, -64)) + spanY, vec4(size.y));
-            vec4 leaveX = (wallX - walk.cell.x - walk.p.x) * inverse.x + vec4(equal(wallX, vec4(border.x))) * beyond;
-            vec4 leaveY = (wallY - walk.cell.y - walk.p.y) * inverse.y + vec4(equal(wallY, vec4(border.y))) * beyond;
-            vec4 leap = max(min(min(leaveX, leaveY), above / rise), cone);
+            vec2 toWall = (ahead - walk.p) * inverse;
+            vec2 toBorder = (border - walk.cell - walk.p) * inverse;
+            vec2 from = walk.cell - inside + walk.p;
+            vec4 wallX = acrossX - vec4(ivec4(key.x) & ivec4(0, 3, 15, 63)); // from the corner of the cell
+            vec4 wallY = acrossY - vec4(ivec4(key.y) & ivec4(0, 3, 15, 63));
+            vec4 leaveX = (wallX - from.x) * inverse.x;
+            vec4 leaveY = (wallY - from.y) * inverse.y;
+            if (clamped()) { // a node at a border goes on beyond it
+                leaveX += vec4(equal(min(wallX + inside.x, vec4(size.x)), vec4(border.x))) * 1e30f;
+                leaveY += vec4(equal(min(wallY + inside.y, vec4(size.y)), vec4(border.y))) * 1e30f;
+                toBorder = vec2(1e30f);
+            }
+            vec4 leap = max(min(min(leaveX, leaveY), min(above / rise, min(toBorder.x, toBorder.y))), cone);
             best = max(max(max(leap.x, leap.y), max(leap.z, leap.w)), 0.0f);
 
-            vec2 toWall = (ahead - walk.p) * inverse;
             leave = max(min(toWall.x, toWall.y), 0.0f);
             ++i;
             if (best < leave)
                 break;
-            walk = moved(walk, slope, size, best * (1.0f + 2e-7f) + past);
+            walk = moved(walk, slope, size, perTexel, best * (1.0f + 2e-7f) + past);
+            z = heightOf(walk);
         }
-        float z = walk.z - best;
-        if (z <= lowest)
+        float after = z - best;
+        if (after <= lowest)
             break;
         ++fetches;
-        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, z, min(leave - best, z - lowest));
+        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, after, min(leave - best, after - lowest));
         if (s <= 1.0f) {
-            float t = min(1.0f - z + s, 1.0f);
+            float t = min(1.0f - walk.z + (walk.below + best + s), 1.0f);
             return Hit(ray.uv + ray.duv * t, t, true, fetches);
         }
-        walk = moved(walk, slope, size, leave * (1.0f + 2e-7f) + past);
+        walk = moved(walk, slope, size, perTexel, leave * (1.0f + 2e-7f) + past);
+        z = heightOf(walk);
     }
     return Hit(ray.uv + ray.duv * ray.end, ray.end, endsOnFloor(ray), fetches);
 }

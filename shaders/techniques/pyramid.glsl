@@ -10,6 +10,7 @@ Hit trace(Ray ray)
 {
     vec2 size = searchSize();
     ivec2 base = boundSize();
+    vec2 perTexel = 1.0f / size;
     vec2 slope = ray.duv * size;
     vec2 inverse = inverseOf(slope);
     vec2 ahead = vec2(slope.x < 0.0f ? 0.0f : 1.0f, slope.y < 0.0f ? 0.0f : 1.0f);
@@ -26,9 +27,10 @@ Hit trace(Ray ray)
     for (int s = 1; s < first + level; ++s)
         shelf += ((base.y - 1) >> s) + 1;
     float lowest = 1.0f - ray.end;
-    Walk walk = walkFrom(ray, slope, size, 0.0f);
+    Walk walk = walkFrom(ray, slope, size, perTexel, 0.0f);
     int fetches = 0;
-    for (int i = 0; i < 65536 && walk.z > lowest; ++i) {
+    for (int i = 0; i < 65536 && heightOf(walk) > lowest; ++i) {
+        float z = heightOf(walk);
         vec2 key = clamp(walk.cell, vec2(0.0f), size - 1.0f);
         float span = float(1 << level);
         vec2 node = level > 0 ? floor(key / span) : walk.cell;
@@ -37,7 +39,7 @@ Hit trace(Ray ray)
         vec2 place = walk.cell - low;
         vec2 wall = (high - low) * ahead;
         vec2 toWall = (wall - place - walk.p) * inverse;
-        if (wrap == 1 && level > 0) { // beyond a clamped border the node goes on
+        if (clamped() && level > 0) { // beyond a clamped border the node goes on
             if (ahead.x > 0.0f ? high.x >= size.x : low.x <= 0.0f)
                 toWall.x = 2.0f;
             if (ahead.y > 0.0f ? high.y >= size.y : low.y <= 0.0f)
@@ -47,24 +49,23 @@ Hit trace(Ray ray)
         ++fetches;
         if (level > 0) {
             int slot = ((base.x - 1) >> (first + level)) + 1;
-            float highest = boundTexel(ivec2((level - 1) * slot + int(node.x), shelf + int(node.y)));
-            highest -= bendLeast(1.0f - walk.z, 1.0f - walk.z + leave);
-            if (walk.z - highest < leave) {
-                walk = moved(walk, slope, size, max(walk.z - highest, 0.0f));
+            float highest = boundTexel(ivec2((level - 1) * slot + int(node.x), shelf + int(node.y))) - bendLeast(1.0f - z, 1.0f - z + leave);
+            if (z - highest < leave) {
+                walk = moved(walk, slope, size, perTexel, max(z - highest, 0.0f));
                 --level;
                 if (level > 0)
                     shelf -= ((base.y - 1) >> (first + level)) + 1;
                 continue;
             }
         } else {
-            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, walk.z, min(leave, walk.z - lowest));
+            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, z, min(leave, z - lowest));
             if (s <= 1.0f) {
-                float t = min(1.0f - walk.z + s, 1.0f);
+                float t = min(1.0f - walk.z + (walk.below + s), 1.0f);
                 return Hit(ray.uv + ray.duv * t, t, true, fetches);
             }
         }
         vec2 parent = floor(key / (2.0f * span));
-        walk = moved(walk, slope, size, leave * (1.0f + 2e-7f) + past);
+        walk = moved(walk, slope, size, perTexel, leave * (1.0f + 2e-7f) + past);
         vec2 entered = floor(clamp(walk.cell, vec2(0.0f), size - 1.0f) / (2.0f * span));
         if (level < top && (entered.x != parent.x || entered.y != parent.y)) {
             if (level > 0)

@@ -1,7 +1,7 @@
-// View: the self-shadow alone, white where the light reaches.
+// View: the shadow alone, white where the light reaches.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 vec3 viewColor(Surface surface)
 {
-    return vec3(lightReaching(surface));
+    return vec3(min(lightReaching(surface), lightPassing(surface)));
 }

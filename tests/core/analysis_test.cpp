@@ -290,6 +290,18 @@ TEST(Report, JsonHoldsEveryRow)
     EXPECT_EQ(json["pictures"].back()["degrees"], 75.);
 }
 
+TEST(Sweep, BytesFollowWhatAFetchReturns)
+{
+    const auto floats = *sweep(planOf({"relief"}, {"needles"}));
+    for (const SweepRow& row : floats)
+        EXPECT_DOUBLE_EQ(row.errors.meanBytes, 4. * row.errors.meanFetches);
+    const auto codesAndCorners = *sweep(planOf({"cell-cone"}, {"needles"})); // 8 bytes, and four floats
+    for (const SweepRow& row : codesAndCorners) {
+        EXPECT_GT(row.errors.meanBytes, 8. * row.errors.meanFetches);
+        EXPECT_LE(row.errors.meanBytes, 16. * row.errors.meanFetches);
+    }
+}
+
 TEST(Report, CsvIsRectangular)
 {
     const Report report = reportOf(planOf({"relief", "parallax"}, {"needles"}));

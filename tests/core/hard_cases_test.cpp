@@ -174,6 +174,25 @@ TEST(RaySets, RaysAlmostAlongAWallArriveAll)
     }
 }
 
+// Rays of hundreds of steps that just touch the surface: the rounding of so many steps, added up, would let them through or stop them.
+TEST(RaySets, ManySmallStepsDoNotAddUpToAnError)
+{
+    constexpr struct {
+        std::string_view field;
+        std::size_t ray;
+    } kTouching[] = {{"needles", 20684}, {"checker", 46134}};
+    for (const auto& [key, ray] : kTouching) {
+        const HeightField field = findHardCase(key)->make(kHardCaseSize, 1);
+        const std::vector<SearchRay> rays = {bandRays(kAngleBands[3], kHardCaseDepth, int(ray) + 1, 1)[ray]};
+        const std::vector<SearchHit> exact = {exactHit(field, rays[0])};
+        for (const TechniqueRow& row : kTechniques)
+            if (row.isExact && !row.file.empty()) {
+                const HitErrors errors = compareHits(field, rays, *traceRays(row.key, Parameters(), &field, rays), exact);
+                EXPECT_EQ(errors.tooDeep + errors.tooShort, 0u) << row.key << " on " << key;
+            }
+    }
+}
+
 // Every technique survives every special ray on every hard case, and those that are exact stay exact.
 TEST(RaySets, EveryTechniqueSurvivesThem)
 {

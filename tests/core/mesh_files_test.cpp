@@ -3,86 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file.h"
 #include "core/mesh/mesh.h"
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <fstream>
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
+#include "tests/core/mesh_support.h"
 #include <random>
 #include <set>
-#include <sstream>
-#include <unistd.h>
 
 using namespace relievo;
 namespace fs = std::filesystem;
 
 namespace {
-// A folder that vanishes with the test.
-struct Scratch {
-    fs::path path;
-    Scratch()
-    {
-        std::string name = (fs::temp_directory_path() / "relievo-mesh-XXXXXX").string();
-        path = mkdtemp(name.data());
-    }
-    ~Scratch()
-    {
-        std::error_code code;
-        fs::remove_all(path, code);
-    }
-    std::string write(const std::string& name, const std::string& bytes) const
-    {
-        std::ofstream(path / name, std::ios::binary) << bytes;
-        return (path / name).string();
-    }
-};
-
-Expected<Mesh> opened(const std::string& name, const std::string& bytes)
-{
-    const Scratch scratch;
-    return openMesh(scratch.write(name, bytes));
-}
-
-bool told(const Mesh& mesh, std::string_view code)
-{
-    return std::ranges::any_of(mesh.warnings, [code](const Warning& w) { return w.code == code && !w.text.empty(); });
-}
-
-// Every promise of mesh.h that must hold whatever the file was.
-void expectSound(const Mesh& mesh)
-{
-    ASSERT_FALSE(mesh.indices.empty());
-    ASSERT_EQ(mesh.indices.size() % 3, 0u);
-    EXPECT_GT(mesh.metresPerUV, 0.f);
-    EXPECT_TRUE(std::isfinite(mesh.metresPerUV));
-    for (const std::uint32_t index : mesh.indices)
-        ASSERT_LT(index, mesh.vertices.size());
-    for (const Vertex& v : mesh.vertices) {
-        ASSERT_TRUE(std::isfinite(glm::dot(v.position, v.position)));
-        ASSERT_NEAR(glm::length(v.normal), 1.f, 1e-3f);
-        ASSERT_TRUE(std::isfinite(v.uv.x) && std::isfinite(v.uv.y));
-        ASSERT_NEAR(glm::length(glm::vec3(v.tangent)), 1.f, 1e-3f);
-        ASSERT_EQ(std::abs(v.tangent.w), 1.f);
-        ASSERT_GT(glm::length(glm::cross(v.dPdu, v.dPdv)), 0.f);
-        ASSERT_TRUE(std::isfinite(glm::length(v.dPdu) + glm::length(v.dPdv)));
-    }
-    std::size_t covered = 0;
-    for (const MeshPart& part : mesh.parts) {
-        EXPECT_EQ(part.firstIndex, covered);
-        covered += part.indexCount;
-    }
-    EXPECT_EQ(covered, mesh.indices.size());
-}
-
-void expectSentence(const Error& error, const std::string& name)
-{
-    EXPECT_NE(error.where.find(name), std::string::npos) << message(error);
-    EXPECT_GT(error.what.size(), 5u);
-    EXPECT_FALSE(error.hint.empty()) << message(error);
-    EXPECT_EQ(error.what.find('\n'), std::string::npos);
-}
-
 const char* const kQuad = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
 
 // glTF with one triangle, its buffer in a data URI; `edit` replaces text in it.

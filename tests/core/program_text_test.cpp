@@ -42,6 +42,22 @@ TEST(ProgramText, OnlyWhatIsOn)
     EXPECT_FALSE(textOf("relief", "shaded", {}, {MapKind::Height}).fragment.mentions("colorMap"));
 }
 
+TEST(ProgramText, ExactSearchesKnowWrapAndLevelBeforehand)
+{
+    Parameters parameters;
+    parameters.heightMips = false;
+    for (const char* key : {"pyramid", "cell-cone"}) {
+        const auto repeats = textOf(key, "depth", parameters).fragment;
+        EXPECT_FALSE(repeats.mentions("heightLevel")) << key;
+        EXPECT_FALSE(repeats.mentions("wrap")) << key;
+        EXPECT_TRUE(textOf(key, "depth").fragment.mentions("heightLevel")) << key;
+        Parameters ending = parameters;
+        ending.wrap = 1;
+        EXPECT_NE(textOf(key, "depth", ending).fragment.text, repeats.text) << key;
+    }
+    EXPECT_EQ(textOf("relief", "depth", parameters).fragment.text, textOf("relief", "depth").fragment.text);
+}
+
 TEST(ProgramText, UniformsComeFromTheTables)
 {
     const std::string text = textOf("relief", "shaded").fragment.text;

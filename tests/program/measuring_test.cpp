@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file.h"
 #include "tests/program/run.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -39,7 +40,7 @@ TEST(Measuring, ReportInAllForms)
     EXPECT_NE(html.find("data:image/png;base64,iVBORw0KGgo"), html.npos); // heat maps, without a context too
     run = runRelievo("report " + kSource + "--no-pictures -o " + (folder / "r.csv") + options);
     ASSERT_EQ(run.exitCode, 0) << run.err;
-    EXPECT_TRUE(relievo::readText(folder / "r.csv")->starts_with("technique,setting,field,view,rays,meanFetches,"));
+    EXPECT_TRUE(relievo::readText(folder / "r.csv")->starts_with("technique,setting,field,view,rays,wrong,ties,meanFetches,"));
 }
 
 TEST(Measuring, ReportOnTheHardCases)
@@ -58,6 +59,33 @@ TEST(Measuring, ReportOnTheHardCases)
     ASSERT_EQ(pictured.exitCode, 0) << pictured.err;
     EXPECT_EQ(json::parse(pictured.out)["pictures"], 4 * 4 * 2); // four fields, four angles, with and without limiting
     EXPECT_NE(relievo::readText(folder / "r.html")->find("Means over Needles, Terraces, Rough bricks, Smooth waves."), std::string::npos);
+}
+
+TEST(Measuring, SeveralSourcesAreOneReportWithTotals)
+{
+    TestFolder folder("several");
+    const ProgramRun run = runRelievo("report sample:bricks@32 hard:needles@16 --hard-cases --size 16 --rays 20 --no-pictures "
+                                      "--techniques cell-cone,pyramid --quiet -o "
+        + (folder / "r.json"));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json report = json::parse(*relievo::readText(folder / "r.json"));
+    ASSERT_EQ(report["fields"].size(), 22u);
+    EXPECT_EQ(report["title"], "2 materials and hard cases");
+    EXPECT_EQ(report["fields"][1]["key"], "hard:needles@16");
+    ASSERT_EQ(report["totals"].size(), 2u * 4u);
+    EXPECT_EQ(report["totals"][0]["field"], "all fields");
+    double rays = 0., fetches = 0., wrong = 0.;
+    for (const json& line : report["rays"])
+        if (line["technique"] == "pyramid" && line["fromDegrees"] == 88.) {
+            rays += line["rays"].get<double>(), wrong += line["wrong"].get<double>();
+            fetches += line["rays"].get<double>() * line["meanFetches"].get<double>();
+        }
+    const auto total = std::ranges::find_if(
+        report["totals"], [](const json& line) { return line["technique"] == "pyramid" && line["fromDegrees"] == 88.; });
+    ASSERT_NE(total, report["totals"].end());
+    EXPECT_EQ((*total)["rays"], rays);
+    EXPECT_EQ((*total)["wrong"], wrong);
+    EXPECT_NEAR((*total)["meanFetches"].get<double>(), fetches / rays, 1e-9);
 }
 
 TEST(Measuring, EqualSeedsGiveEqualReports)
@@ -150,7 +178,7 @@ TEST(Measuring, WrongInputIsToldInOneSentence)
         std::vector<std::pair<std::string, int>>{{"report" + out, 2}, {"report " + kSource, 2}, {"report " + kSource + "-o x.gif", 2},
             {"report " + kSource + out + " --techniques magic", 2}, {"report " + kSource + out + " --techniques reference", 2},
             {"report " + kSource + out + " --angles 10", 2}, {"report " + kSource + out + " --angles 80-60", 2},
-            {"report " + kSource + out + " --angles 0-90", 2}, {"report " + kSource + out + " --hard-cases", 2},
+            {"report " + kSource + out + " --angles 0-90", 2}, {"report " + kSource + "sample:nothing" + out, 1},
             {"report " + kSource + out + " --size 64", 2}, {"report " + kSource + out + " --rays 0", 2}, {"report hard:nothing" + out, 1},
             {"tune " + kSource, 2}, {"tune " + kSource + "--max-error -1", 2}, {"tune " + kSource + "--max-error 1 --metric taste", 2},
             {"tune " + kSource + "--max-error 1 --max-missed 101", 2}, {"tune " + kSource + "--max-error 1 -o x.png", 2},

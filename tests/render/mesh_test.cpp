@@ -1,0 +1,227 @@
+// Relief on meshes: poses on the GPU, shadows between objects, interpenetration, frames without tangents, pixels that are no numbers.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/pose.h"
+#include "render/mesh_errors.h"
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+using namespace relievo;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kMeshes = fs::path(RELIEVO_TEST_DATA) / "meshes";
+
+State stateOn(const std::string& mesh, const char* technique = "cell-cone")
+{
+    State state = openSource("sample:cobblestones@256", State())->state;
+    state.mesh = mesh;
+    state.panes = {Pane{technique, {}}};
+    return state;
+}
+
+Resources resourcesOf(const State& state)
+{
+    const auto resources = loadResources(state, {}, {});
+    EXPECT_TRUE(resources) << (resources ? "" : message(resources.error()));
+    return resources.value_or(Resources());
+}
+
+Image picture(Renderer& renderer, const State& state, const Resources& resources, std::string_view view, int width = 160, int height = 120)
+{
+    State plain = state;
+    plain.parameters.background = 2;
+    const auto image = drawPicture(renderer, plain, 0, resources, view, width, height, 1, true);
+    EXPECT_TRUE(image) << (image ? "" : message(image.error()));
+    return image.value_or(Image());
+}
+
+// Share of the pixels, of those that either picture covers, whose coverage differs or whose values differ by more than `tolerance`.
+double differing(const Image& a, const Image& b, float tolerance)
+{
+    double pixels = 0., differ = 0.;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            const bool inA = a.value(x, y, 3) > 0.5f, inB = b.value(x, y, 3) > 0.5f;
+            pixels += inA || inB;
+            float off = 0.f;
+            for (int c = 0; c < 3; ++c)
+                off = std::max(off, std::abs(a.value(x, y, c) - b.value(x, y, c)));
+            differ += inA != inB || (inA && !(off <= tolerance));
+        }
+    EXPECT_GT(pixels, 500.);
+    return differ / std::max(pixels, 1.);
+}
+
+// The mesh as the CPU poses it, which no longer moves.
+Resources posedResources(const State& state, const Resources& resources)
+{
+    Resources still = resources;
+    Mesh mesh = posed(*resources.mesh, poseOf(*resources.mesh, state.parameters));
+    mesh.deformation = nullptr;
+    mesh.boundsMin = resources.mesh->boundsMin, mesh.boundsMax = resources.mesh->boundsMax; // the camera's framing
+    still.mesh = std::make_shared<Mesh>(std::move(mesh));
+    return still;
+}
+
+} // namespace
+
+TEST(Deforming, TheGpuPosesAsTheCpuDoes)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer, second;
+    std::vector<std::string> meshes = {"character"};
+    for (const char* file : {"SimpleMorph.gltf", "AnimatedMorphCube.glb", "CesiumMan.glb", "RiggedSimple.glb"})
+        if (fs::exists(kMeshes / "animated" / file))
+            meshes.push_back((kMeshes / "animated" / file).string());
+    for (const std::string& mesh : meshes) {
+        State state = stateOn(mesh);
+        const Resources resources = resourcesOf(state);
+        ASSERT_TRUE(resources.mesh && resources.mesh->deformation) << mesh;
+        Image first;
+        for (const float share : {0.f, 0.37f, 0.8f}) {
+            state.parameters.time = share * resources.mesh->deformation->clips.front().seconds;
+            const Resources still = posedResources(state, resources);
+            const Image moved = picture(renderer, state, resources, "position");
+            const float size = glm::length(resources.mesh->boundsMax - resources.mesh->boundsMin);
+            EXPECT_LT(differing(moved, picture(second, state, still, "position"), 0.01f * size), 0.02) << mesh << " at " << share;
+            EXPECT_LT(differing(picture(renderer, state, resources, "normal"), picture(second, state, still, "normal"), 0.1f), 0.06)
+                << mesh << " at " << share;
+            if (share == 0.f)
+                first = moved;
+            else
+                EXPECT_GT(differing(moved, first, 0.002f * size), 0.05) << mesh << " does not move";
+        }
+    }
+}
+
+TEST(Interpenetration, ReliefMeetsPlainSpheresWhereTheyDo)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("spheres");
+    state.parameters.depth = 0.15f;
+    state.camera.pitch = 50.f;
+    const Resources resources = resourcesOf(state);
+    Warnings warnings;
+    const auto exact = exactDistances(state, resources, 320, 240, warnings);
+    ASSERT_TRUE(exact);
+    state.parameters.silhouettes = 2;
+    const auto without = meshErrors(renderer, state, resources, *exact, 320, 240);
+    state.parameters.depthOfHit = true;
+    const auto with = meshErrors(renderer, state, resources, *exact, 320, 240);
+    ASSERT_TRUE(without && with);
+    EXPECT_LT(with->depthRmse, 0.5 * without->depthRmse) << without->depthRmse;
+}
+
+TEST(ObjectShadows, SpheresShadeThePlane)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("spheres");
+    state.parameters.shadows = false;
+    state.parameters.lightPitch = 30.f;
+    const Resources resources = resourcesOf(state);
+    const auto dark = [&] {
+        const Image image = picture(renderer, state, resources, "shadow");
+        double count = 0.;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                count += image.value(x, y, 3) > 0.5f && image.value(x, y, 0) < 0.5f;
+        return count / (double(image.width) * image.height);
+    };
+    EXPECT_EQ(dark(), 0.);
+    state.parameters.objectShadows = true;
+    EXPECT_GT(dark(), 0.02);
+    state.parameters.lightPitch = 89.f; // from above the shadows lie under the spheres
+    EXPECT_LT(dark(), 0.02);
+}
+
+// A plane alone shades nothing but itself: no acne from the map.
+TEST(ObjectShadows, NoAcneOnAReliefAlone)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    for (const char* mesh : {"plane", "sphere"}) {
+        State state = stateOn(mesh);
+        state.parameters.shadows = true;
+        const Resources resources = resourcesOf(state);
+        const Image alone = picture(renderer, state, resources, "shadow");
+        state.parameters.objectShadows = true;
+        EXPECT_LT(differing(picture(renderer, state, resources, "shadow"), alone, 0.3f), 0.06) << mesh;
+    }
+}
+
+// On a plane the derivatives are exact; where u and v are skewed the thesis' unit vectors slide.
+TEST(Frames, DerivativesAgreeWithVerticesAndTheThesisDoesNot)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("plane");
+    state.parameters.depth = 0.2f;
+    state.camera.yaw = 55.f, state.camera.pitch = 30.f;
+    const Resources resources = resourcesOf(state);
+    const Image vertex = picture(renderer, state, resources, "color");
+    state.parameters.frames = 1;
+    const Image derivatives = picture(renderer, state, resources, "color");
+    state.parameters.frames = 2;
+    const Image thesis = picture(renderer, state, resources, "color");
+    const double off = differing(derivatives, vertex, 0.05f), slid = differing(thesis, vertex, 0.05f);
+    EXPECT_LT(off, 0.02);
+    EXPECT_GT(slid, 10. * off + 0.1);
+}
+
+TEST(Frames, EdgeFadeFlattensWhatIsSeenEdgeOn)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("sphere");
+    state.parameters.frames = 1, state.parameters.depth = 0.15f;
+    const Resources resources = resourcesOf(state);
+    state.parameters.edgeFade = 0.5f;
+    const Image faded = picture(renderer, state, resources, "position");
+    double edge = 0., largest = 0.;
+    for (int y = 0; y < faded.height; ++y)
+        for (int x = 0; x < faded.width; ++x)
+            if (faded.value(x, y, 3) > 0.5f) {
+                const glm::vec3 point(faded.value(x, y, 0), faded.value(x, y, 1), faded.value(x, y, 2));
+                const CameraView camera = cameraView(state.camera, resources.mesh->boundsMin, resources.mesh->boundsMax, 4.f / 3.f);
+                const double sunk = 0.5 - double(glm::length(point));
+                largest = std::max(largest, sunk);
+                if (glm::dot(glm::normalize(point), glm::normalize(camera.eye - point)) < 0.1f)
+                    edge = std::max(edge, sunk);
+            }
+    EXPECT_GT(largest, 0.03);
+    EXPECT_LT(edge, 0.2 * largest);
+}
+
+TEST(Invalid, NoPixelIsNoNumber)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    std::vector<std::string> meshes = {"sphere", "box", "spheres", "teapot", "character"};
+    for (const char* file : {"spot.obj", "bunny.ply", "NormalTangentMirrorTest.glb", "TextureCoordinateTest.glb", "obj_quirks/deg_faces.obj"})
+        if (fs::exists(kMeshes / file))
+            meshes.push_back((kMeshes / file).string());
+    for (const std::string& mesh : meshes)
+        for (const int frames : {0, 1, 2}) {
+            State state = stateOn(mesh);
+            Parameters& p = state.parameters;
+            p.frames = frames, p.silhouettes = 2, p.depthOfHit = p.objectShadows = p.shadows = true, p.edgeFade = frames == 1 ? 0.3f : 0.f;
+            const Resources resources = resourcesOf(state);
+            const Image invalid = picture(renderer, state, resources, "invalid", 96, 72);
+            for (int y = 0; y < invalid.height; ++y)
+                for (int x = 0; x < invalid.width; ++x)
+                    ASSERT_EQ(invalid.value(x, y, 0), 0.f) << mesh << " frames " << frames;
+        }
+}
