@@ -258,10 +258,37 @@ glm::vec4 tangentOf(const RawMesh& raw, const Corner& corner)
     return glm::vec4(flat / length, tangent.w < 0.f ? -1.f : 1.f);
 }
 
+// Numbers of positions; those that are equal but move differently have different ones.
+std::vector<std::uint32_t> positionNumbers(const RawMesh& raw)
+{
+    std::vector<std::uint32_t> numbers = numbersOf(raw.positions);
+    if (!raw.moves)
+        return numbers;
+    Numbering<7> byInfluence(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const Influence& influence = raw.moves->deformation.influences[i];
+        const Bits<4> w = bitsOf(glm::vec4(influence.weights[0], influence.weights[1], influence.weights[2], influence.weights[3]));
+        numbers[i] = byInfluence({numbers[i], std::uint32_t(influence.joints[0]) << 16 | influence.joints[1],
+                                     std::uint32_t(influence.joints[2]) << 16 | influence.joints[3], w[0], w[1], w[2], w[3]})
+                         .number;
+    }
+    for (const RawDeformation::Piece& piece : raw.moves->pieces) {
+        Numbering<7> byDelta(numbers.size());
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const std::size_t at = i - piece.first;
+            const bool within = i >= piece.first && at < piece.positions.size();
+            const Bits<3> p = bitsOf(within ? piece.positions[at] : glm::vec3(0.f));
+            const Bits<3> n = bitsOf(within && !piece.normals.empty() ? piece.normals[at] : glm::vec3(0.f));
+            numbers[i] = byDelta({numbers[i], p[0], p[1], p[2], n[0], n[1], n[2]}).number;
+        }
+    }
+    return numbers;
+}
+
 // Joins corners that agree in everything. Mirrored and unmirrored texture never share a vertex: their frames would cancel.
 std::vector<glm::vec4> joinCorners(const RawMesh& raw, Mesh& mesh)
 {
-    const std::vector<std::uint32_t> positions = numbersOf(raw.positions), normals = numbersOf(raw.normals), uvs = numbersOf(raw.uvs);
+    const std::vector<std::uint32_t> positions = positionNumbers(raw), normals = numbersOf(raw.normals), uvs = numbersOf(raw.uvs);
     Numbering<8> numbering(raw.positions.size());
     std::vector<glm::vec4> tangents;
     mesh.indices.reserve(raw.corners.size());
@@ -325,6 +352,7 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
     mesh.materials = std::move(raw.materials);
     mesh.warnings = std::move(raw.warnings);
     completeFrames(mesh, tangents);
+    mesh.deformation = deformationOf(mesh, raw);
     progress.at(1.f);
     return mesh;
 }

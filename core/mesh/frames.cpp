@@ -112,14 +112,11 @@ void setFrame(Vertex& vertex, float weight, float metresPerUV)
     if (vertex.tangent.w == 0.f)
         vertex.tangent = glm::vec4(glm::normalize(vertex.dPdu), sign);
 }
-} // namespace
 
-void completeFrames(Mesh& mesh, std::span<const glm::vec4> fileTangents)
+// Sets every vertex' Jacobian from its triangles; the mean size of the texture, 0 when no triangle says anything.
+double setJacobians(Mesh& mesh, std::vector<float>& weights)
 {
-    assert(fileTangents.empty() || fileTangents.size() == mesh.vertices.size());
-    measureBounds(mesh);
-    splitByTangents(mesh, fileTangents);
-    std::vector<float> weights(mesh.vertices.size(), 0.f);
+    weights.assign(mesh.vertices.size(), 0.f);
     for (Vertex& vertex : mesh.vertices)
         vertex.dPdu = vertex.dPdv = glm::vec3(0.f);
     double area = 0, uvArea = 0;
@@ -137,8 +134,27 @@ void completeFrames(Mesh& mesh, std::span<const glm::vec4> fileTangents)
             weights[at] += frame.area;
         }
     }
-    const double measured = uvArea > 0 ? std::sqrt(area / uvArea) : 0.0;
+    return uvArea > 0 ? std::sqrt(area / uvArea) : 0.0;
+}
+} // namespace
+
+void completeFrames(Mesh& mesh, std::span<const glm::vec4> fileTangents)
+{
+    assert(fileTangents.empty() || fileTangents.size() == mesh.vertices.size());
+    measureBounds(mesh);
+    splitByTangents(mesh, fileTangents);
+    std::vector<float> weights;
+    const double measured = setJacobians(mesh, weights);
     mesh.metresPerUV = measured > 1e-12 && measured < 1e12 ? float(measured) : largestSide(mesh);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        setFrame(mesh.vertices[i], weights[i], mesh.metresPerUV);
+}
+
+void refreshFrames(Mesh& mesh)
+{
+    measureBounds(mesh);
+    std::vector<float> weights;
+    setJacobians(mesh, weights);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         setFrame(mesh.vertices[i], weights[i], mesh.metresPerUV);
 }

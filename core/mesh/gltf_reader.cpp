@@ -1,14 +1,13 @@
 // glTF 2.0, text and binary: the triangles of a scene in world space.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/gltf_deformation.h"
 #include "core/mesh/gltf_document.h"
 #include "core/mesh/gltf_materials.h"
 #include "core/mesh/gltf_primitive.h"
 #include "core/mesh/raw_mesh.h"
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
 namespace relievo {
@@ -16,25 +15,6 @@ namespace relievo {
 namespace {
 using Corner = RawMesh::Corner;
 const char* const kDamaged = "Check the file with a glTF validator and export it again";
-
-glm::mat4 localMatrix(const tinygltf::Node& node)
-{
-    glm::mat4 matrix(1.f);
-    if (node.matrix.size() == 16) {
-        for (int i = 0; i < 16; ++i)
-            matrix[i / 4][i % 4] = float(node.matrix[std::size_t(i)]);
-        return matrix;
-    }
-    const auto number = [](const std::vector<double>& list, std::size_t i) { return float(list[i]); };
-    if (node.translation.size() == 3)
-        matrix = glm::translate(matrix, {number(node.translation, 0), number(node.translation, 1), number(node.translation, 2)});
-    if (node.rotation.size() == 4)
-        matrix *= glm::mat4_cast(
-            glm::quat(number(node.rotation, 3), number(node.rotation, 0), number(node.rotation, 1), number(node.rotation, 2)));
-    if (node.scale.size() == 3)
-        matrix = glm::scale(matrix, {number(node.scale, 0), number(node.scale, 1), number(node.scale, 2)});
-    return matrix;
-}
 
 // Gathers a scene's primitives into one RawMesh.
 class Gatherer {
@@ -44,6 +24,7 @@ public:
         , m_where(std::move(where))
         , m_progress(progress)
         , m_materials(readMaterials(model, m_where))
+        , m_deformation(model, m_where)
     {
     }
 
@@ -59,20 +40,23 @@ public:
         if (m_raw.corners.empty())
             return failure(m_where, m_lines > 0 ? "the file holds points and lines, but no triangles" : "its scene holds no triangles",
                 m_vanished > 0 ? "Its nodes are scaled to nothing: give them a size" : "Export a scene with a mesh in it");
-        if (m_skinned)
-            m_raw.warn("skin-ignored", "The mesh has a skeleton; it is shown in the pose in which it was bound.");
-        if (m_morphed)
-            m_raw.warn("morph-ignored", "The mesh has morph targets; its base shape is shown.");
         if (m_lines > 0)
             m_raw.warn("lines-skipped", std::to_string(m_lines) + " primitives of points or lines were left out.");
         if (m_vanished > 0)
             m_raw.warn("nodes-dropped", std::to_string(m_vanished) + " nodes are scaled to nothing and were left out.");
+        m_raw.moves = m_deformation.finished(m_raw.warnings);
         m_raw.materials = std::move(m_materials.materials);
         m_raw.warnings.insert(m_raw.warnings.end(), m_materials.warnings.begin(), m_materials.warnings.end());
         return std::move(m_raw);
     }
 
 private:
+    // Where a mesh stands in the scene.
+    struct Place {
+        int node; // -1: in none
+        glm::mat4 world;
+    };
+
     tl::unexpected<Error> damaged(std::string what) const { return failure(m_where, std::move(what), kDamaged); }
 
     // Whether nothing but a point or a line is left of what is scaled so.
@@ -89,7 +73,7 @@ private:
         if (!m_model.meshes.empty())
             m_raw.warn("no-scene", "The file has meshes but no scene; all of them are shown at the origin.");
         for (std::size_t i = 0; i < m_model.meshes.size(); ++i)
-            if (Expected<void> added = addMesh(int(i), m_model.meshes[i].name, glm::mat4(1.f)); !added)
+            if (Expected<void> added = addMesh(int(i), m_model.meshes[i].name, {-1, glm::mat4(1.f)}); !added)
                 return added;
         return {};
     }
@@ -130,12 +114,11 @@ private:
             if (seen[std::size_t(visit.node)]++)
                 return damaged("node " + std::to_string(visit.node) + " has two parents or contains itself");
             const tinygltf::Node& node = m_model.nodes[std::size_t(visit.node)];
-            const glm::mat4 world = visit.worldFromParent * localMatrix(node);
-            m_skinned |= node.skin >= 0;
+            const glm::mat4 world = visit.worldFromParent * localMatrix(poseNodeOf(node));
             if (node.mesh >= 0 && vanishes(glm::mat3(world)))
                 ++m_vanished;
             else if (node.mesh >= 0)
-                if (Expected<void> added = addMesh(node.mesh, node.name, world); !added)
+                if (Expected<void> added = addMesh(node.mesh, node.name, {visit.node, world}); !added)
                     return added;
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
                 open.push_back({*child, world});
@@ -145,7 +128,7 @@ private:
         return {};
     }
 
-    Expected<void> addMesh(int index, const std::string& nodeName, const glm::mat4& world)
+    Expected<void> addMesh(int index, const std::string& nodeName, const Place& place)
     {
         if (index < 0 || std::size_t(index) >= m_model.meshes.size())
             return damaged("a node names the mesh " + std::to_string(index) + ", which does not exist");
@@ -154,18 +137,17 @@ private:
         if (m_raw.name.empty() && m_model.meshes.size() == 1)
             m_raw.name = name;
         for (const tinygltf::Primitive& primitive : mesh.primitives)
-            if (Expected<void> added = addPrimitive(primitive, name, world); !added)
+            if (Expected<void> added = addPrimitive(primitive, name, place); !added)
                 return added;
         return {};
     }
 
-    Expected<void> addPrimitive(const tinygltf::Primitive& primitive, const std::string& name, const glm::mat4& world)
+    Expected<void> addPrimitive(const tinygltf::Primitive& primitive, const std::string& name, const Place& place)
     {
         if (!hasTriangles(primitive)) {
             ++m_lines;
             return {};
         }
-        m_morphed |= !primitive.targets.empty();
         MeshPart part;
         part.name = name;
         part.firstIndex = std::uint32_t(m_raw.corners.size());
@@ -177,7 +159,10 @@ private:
         const Expected<GltfPrimitive> read = readPrimitive(m_model, primitive, space.set, m_where);
         if (!read)
             return tl::unexpected(read.error());
-        append(*read, space, world);
+        const std::size_t before = m_raw.positions.size();
+        append(*read, space, place.world);
+        if (Expected<void> moves = m_deformation.addPrimitive(primitive, place.node, place.world, before, m_raw); !moves)
+            return moves;
         part.indexCount = std::uint32_t(read->indices.size());
         m_raw.parts.push_back(std::move(part));
         return {};
@@ -220,7 +205,7 @@ private:
     const Progress& m_progress;
     GltfMaterials m_materials;
     RawMesh m_raw;
-    bool m_skinned = false, m_morphed = false;
+    GltfDeformation m_deformation;
     std::size_t m_lines = 0, m_vanished = 0;
 };
 } // namespace

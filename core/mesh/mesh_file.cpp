@@ -63,6 +63,10 @@ std::string meshJson(const Mesh& mesh)
     Json json = {{"name", mesh.name}, {"vertices", mesh.fileVertices}, {"triangles", mesh.indices.size() / 3}, {"parts", parts},
         {"uvs", mesh.fileHasUVs}, {"normals", mesh.fileHasNormals}, {"tangents", mesh.fileHasTangents},
         {"bounds", Json::array({point(mesh.boundsMin), point(mesh.boundsMax)})}, {"warnings", warnings}};
+    for (const AnimationClip& clip : mesh.deformation ? mesh.deformation->clips : std::vector<AnimationClip>())
+        json["clips"].push_back({{"name", clip.name}, {"seconds", clip.seconds}});
+    for (const MorphTarget& target : mesh.deformation ? mesh.deformation->targets : std::vector<MorphTarget>())
+        json["targets"].push_back(target.name);
     for (const MeshMaterial& material : mesh.materials) {
         Json maps = Json::object();
         for (const MapKindRow& row : kMapKinds)

@@ -2,10 +2,22 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/mesh/mesh.h"
+#include "core/mesh/pose.h"
 #include <span>
 
 namespace relievo {
+
+// How a file's positions move.
+struct RawDeformation {
+    // Its targets hold no deltas yet; its influences are one for each of RawMesh::positions.
+    Deformation deformation;
+    struct Piece { // of a target: what it adds to positions first, first + 1 ... at weight 1
+        std::size_t target = 0; // into deformation.targets
+        std::size_t first = 0;
+        std::vector<glm::vec3> positions, normals; // normals: of unit normals, may be empty
+    };
+    std::vector<Piece> pieces; // no two pieces of a target overlap
+};
 
 // Triangles whose corners name a position and perhaps a normal, UV and tangent, each in its own list (as OBJ does).
 struct RawMesh {
@@ -21,6 +33,7 @@ struct RawMesh {
     std::vector<Corner> corners; // triples; every index lies within its list
     std::vector<MeshPart> parts; // firstIndex and indexCount count corners, in order and without gaps
     std::vector<MeshMaterial> materials;
+    std::optional<RawDeformation> moves;
     Warnings warnings;
     // Made normals are averaged over neighbouring triangles that meet at less than this angle.
     float creaseDegrees = 50.f;
@@ -42,6 +55,9 @@ std::vector<MeshMaterial> readMtl(const std::filesystem::path& obj, std::span<co
 // Drops what is not finite, makes missing normals and UVs, joins equal corners, computes frames; each told in `warnings`.
 // where: the file, for errors.
 Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& progress);
+
+// The deformation of a finished mesh whose corner i was raw.corners[i]: influences by vertex, targets with all their deltas.
+std::shared_ptr<const Deformation> deformationOf(const Mesh& mesh, RawMesh& raw);
 
 // Readers by format. Errors name the file and the cure. Allocation stays in proportion to the size of the file.
 Expected<RawMesh> readGltf(const std::filesystem::path& file, const Progress& progress);

@@ -1,0 +1,57 @@
+// What moves in a glTF file: skins, morph targets, the node hierarchy and its animations.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/mesh/raw_mesh.h"
+#include <map>
+#include <tiny_gltf.h>
+
+namespace relievo {
+
+// A glTF node as a pose begins from it; transforms that are not finite stand still.
+PoseNode poseNodeOf(const tinygltf::Node& node);
+
+// Collects while a scene is gathered. Costs nothing for a file without animations and morph targets.
+class GltfDeformation {
+public:
+    GltfDeformation(const tinygltf::Model& model, std::string where);
+
+    // After the primitive's positions were appended to `raw` from `first` on, placed by the world matrix of `node` (-1: none).
+    // Errors: accessors that break their buffers.
+    Expected<void> addPrimitive(
+        const tinygltf::Primitive& primitive, int node, const glm::mat4& world, std::size_t first, const RawMesh& raw);
+
+    // Nothing when nothing moves. Adds to `warnings`: "skin-joints" (missing joints or matrices stand still), "skin-weights" (do not sum to
+    // 1), "skin-influences" (more than four: the strongest four count), "morph-too-large", "animation-channels" (broken, left out),
+    // "animation-times" (were not in order).
+    std::optional<RawDeformation> finished(Warnings& warnings);
+
+private:
+    void orderNodes();
+    void readClips();
+    std::optional<AnimationChannel> channelOf(const tinygltf::Animation& animation, const tinygltf::AnimationChannel& from);
+    std::size_t targetCount(int node) const;
+    std::size_t targetOf(int node, std::size_t t);
+    std::uint16_t rigidJoint(int node, const glm::mat4& world);
+    std::uint16_t firstJointOf(int skin, const glm::mat4& world);
+    Expected<void> addInfluences(const tinygltf::Primitive& primitive, int skin, const glm::mat4& world, std::size_t count);
+    Expected<void> addTargets(
+        const tinygltf::Primitive& primitive, int node, const glm::mat4& world, std::size_t first, const RawMesh& raw);
+
+    const tinygltf::Model& m_model;
+    std::string m_where;
+    RawDeformation m_raw;
+    std::vector<int> m_nodeNumbers; // of each node of the file in Deformation::nodes; -1: it is part of a circle
+    std::vector<bool> m_animated; // by number: the node or one above it has an animated place
+    struct SkinUse {
+        int skin;
+        glm::mat4 world;
+        std::uint16_t firstJoint;
+    };
+    std::vector<SkinUse> m_skins;
+    std::map<std::pair<int, std::size_t>, std::size_t> m_targets; // by node and number there, in Deformation::targets
+    std::size_t m_deltas = 0, m_missingJoints = 0, m_oddWeights = 0, m_manyInfluences = 0, m_brokenChannels = 0, m_unsorted = 0;
+    bool m_tooManyDeltas = false;
+};
+
+} // namespace relievo
