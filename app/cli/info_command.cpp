@@ -67,6 +67,8 @@ std::string text(const Json& info)
                     out += ' ' + kind + ' ' + file.get<std::string>();
                 out += material["maps"].empty() ? " no maps\n" : "\n";
             }
+        for (const Json& clip : info.value("clips", Json::array()))
+            out += "  clip " + clip["name"].get<std::string>() + ": " + clip["seconds"].dump() + " s\n";
         out += "  bounds (m): " + info["bounds"][0].dump() + " to " + info["bounds"][1].dump() + '\n';
     }
     for (const Json& warning : info["warnings"])

@@ -12,26 +12,37 @@ bool inScope(std::size_t pane, Scope scope)
     return scope == Scope::Both || pane == (scope == Scope::A ? 0u : 1u);
 }
 
-// "KEY=VALUE" of ParameterRow::shown holds in pane `index`; a condition on a hidden parameter does not hold.
-bool holdsIn(const State& state, std::size_t index, const ParameterRow& row)
+bool holdsIn(const State& state, std::size_t index, const ParameterRow& row);
+
+// One word of ParameterRow::shown holds in pane `index`; a condition on a hidden parameter does not hold.
+bool wordHoldsIn(const State& state, std::size_t index, const ParameterRow& row, std::string_view word)
 {
-    if (row.shown.empty())
-        return true;
-    if (row.shown == "animated") // the animation bar's
+    if (word == "animated") // the animation bar's
         return false;
-    if (row.shown == "technique") {
+    if (word == "technique") {
         const TechniqueRow* technique = findTechnique(state.panes[index].technique);
         return technique && listHas(technique->parameters, row.key);
     }
-    const std::size_t at = row.shown.find('=');
-    const ParameterRow* other = findParameter(row.shown.substr(0, at));
+    const std::size_t at = word.find('=');
+    const ParameterRow* other = findParameter(word.substr(0, at));
     if (!other || !holdsIn(state, index, *other))
         return false;
     const Value value = get(effectiveParameters(state, index), *other);
-    const std::string_view wanted = row.shown.substr(at + 1);
+    const std::string_view wanted = word.substr(at + 1);
     if (std::holds_alternative<bool>(value))
         return std::get<bool>(value) == (wanted == "1");
     return std::holds_alternative<int>(value) && std::to_string(std::get<int>(value)) == wanted;
+}
+
+bool holdsIn(const State& state, std::size_t index, const ParameterRow& row)
+{
+    for (std::string_view rest = row.shown; !rest.empty();) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        if (!wordHoldsIn(state, index, row, rest.substr(0, end)))
+            return false;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return true;
 }
 } // namespace
 

@@ -85,7 +85,9 @@ struct ParameterRow {
     Group group;
     float min, max; // hard limits: loading clamps and warns, the slider stops
     std::string_view unit; // "" for a plain number
-    std::string_view shown; // "" always; "technique": only for techniques that list it; "animated": for meshes that move, by a bar of its own; "KEY=VALUE": only while KEY has that value
+    // "" always; words that must all hold; "technique": the technique lists it; "animated": the mesh moves, shown in a bar of its own;
+    // "KEY=VALUE": KEY has that value
+    std::string_view shown;
     std::string_view options; // choices, separated by spaces, in the order of their values; "" for anything else
     std::string_view help;
 };
@@ -144,7 +146,7 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         "Relief casts hard shadows on itself, found by the same search towards the light."},
     {&Parameters::shadowStrength, "shadowStrength", "Strength", Group::Shadows, 0.f, 1.f, "", "shadows=1", "",
         "Share of the light that a shadow takes away."},
-    {&Parameters::shadowBias, "shadowBias", "Bias", Group::Shadows, 0.f, 0.2f, "depth", "shadows=1", "",
+    {&Parameters::shadowBias, "shadowBias", "Bias", Group::Shadows, 0.f, 0.2f, "depth", "technique shadows=1", "",
         "How much higher than the point an occluder must lie, as a share of the depth; hides shadow acne. Exact techniques need none."},
     {&Parameters::lightSize, "lightSize", "Light size", Group::Shadows, 0.f, 20.f, "deg", "shadows=1", "",
         "Angle that the light's disc fills: 0 casts hard shadows, more casts penumbras (and costs 8 searches instead of one)."},

@@ -89,8 +89,14 @@ TEST(Editing, OnlyWhatIsUsedIsShown)
     setPaneCount(state, 2);
     state.panes[1].technique = "relief";
     EXPECT_TRUE(isShown(state, row("maxSteps"))) << "the other pane searches";
+    EXPECT_TRUE(isShown(state, row("shadowBias")));
+    state.panes[1].technique = "cell-cone";
+    EXPECT_TRUE(isShown(state, row("shadowStrength")));
+    EXPECT_FALSE(isShown(state, row("shadowBias"))) << "exact techniques need none";
+    state.panes[1].technique = "relief";
     state.parameters.shadows = false;
     EXPECT_FALSE(isShown(state, row("shadowStrength")));
+    EXPECT_FALSE(isShown(state, row("shadowBias")));
     EXPECT_TRUE(isShown(state, row("roughness")));
     state.parameters.shading = 1;
     EXPECT_FALSE(isShown(state, row("roughness")));

@@ -1,5 +1,5 @@
 // How long each map takes to bake: seconds by map and field at 1024 x 1024, growth from 256 to 4096, peak memory.
-// Usage: bake_bench [--map KEY]... [--sizes N,N,...] [-o PLOT.svg] [HEIGHT_MAP...]
+// Usage: bake_bench [--map KEY]... [--sizes N,N,...] [--growth] [-o PLOT.svg] [HEIGHT_MAP...]; --growth leaves out the fields at 1024.
 // Text on stdout; the plot shows seconds over size with the line of N^2 log N.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -129,6 +129,7 @@ std::string plot(const Growth& growth)
 
 struct Options {
     std::vector<std::string> maps, files;
+    bool growth = false; // only
     std::vector<int> sizes{256, 512, 1024, 2048, 4096};
     std::string plot;
 };
@@ -141,6 +142,8 @@ Options parsed(int argc, char** argv)
         const std::string value = i + 1 < argc ? argv[i + 1] : "";
         if (word == "--map")
             options.maps.push_back(value), ++i;
+        else if (word == "--growth")
+            options.growth = true;
         else if (word == "-o")
             options.plot = value, ++i;
         else if (word == "--sizes") {
@@ -161,7 +164,7 @@ int main(int argc, char** argv)
 {
     const Options options = parsed(argc, argv);
     Growth growth;
-    const std::vector<Named> fields = fieldsAt(1024, options.files);
+    const std::vector<Named> fields = options.growth ? std::vector<Named>() : fieldsAt(1024, options.files);
     for (const MapRow& row : kMaps) {
         const std::string key(row.key);
         if (!options.maps.empty() && std::ranges::find(options.maps, key) == options.maps.end())

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <random>
 #include <unistd.h>
 
 namespace relievo {
@@ -59,7 +60,7 @@ inline void expectSound(const Mesh& mesh)
         ASSERT_TRUE(std::isfinite(v.uv.x) && std::isfinite(v.uv.y));
         ASSERT_NEAR(glm::length(glm::vec3(v.tangent)), 1.f, 1e-3f);
         ASSERT_EQ(std::abs(v.tangent.w), 1.f);
-        ASSERT_GT(glm::length(glm::cross(v.dPdu, v.dPdv)), 0.f);
+        ASSERT_GT(glm::length(glm::cross(glm::dvec3(v.dPdu), glm::dvec3(v.dPdv))), 0.0); // in float a tiny one is nothing
         ASSERT_TRUE(std::isfinite(glm::length(v.dPdu) + glm::length(v.dPdv)));
     }
     std::size_t covered = 0;
@@ -76,6 +77,50 @@ inline void expectSentence(const Error& error, const std::string& name)
     EXPECT_GT(error.what.size(), 5u);
     EXPECT_FALSE(error.hint.empty()) << message(error);
     EXPECT_EQ(error.what.find('\n'), std::string::npos);
+}
+
+inline constexpr const char* kQuad = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+
+// glTF with one triangle, its buffer in a data URI; `edit` replaces text in it.
+inline std::string tinyGltf(const std::string& from = "", const std::string& to = "")
+{
+    std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[1,1,1]}],
+"meshes":[{"name":"tri","primitives":[{"attributes":{"POSITION":0},"mode":4}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+    if (!from.empty())
+        text.replace(text.find(from), from.size(), to);
+    return text;
+}
+
+// Seeded mutations: bytes changed, pieces cut, doubled or numbers blown up.
+inline std::string mutated(std::string bytes, std::mt19937& random)
+{
+    const auto below = [&random](std::size_t n) { return n == 0 ? 0 : std::size_t(random() % n); };
+    for (std::size_t i = 0, edits = 1 + below(6); i < edits && !bytes.empty(); ++i) {
+        const std::size_t at = below(bytes.size()), length = std::min(below(40), bytes.size() - at);
+        switch (below(6)) {
+        case 0:
+            bytes[at] = char(random());
+            break;
+        case 1:
+            bytes.erase(at, length);
+            break;
+        case 2:
+            bytes.insert(at, bytes.substr(at, length));
+            break;
+        case 3:
+            bytes.insert(at, "99999999999");
+            break;
+        case 4:
+            bytes[at] = char(bytes[at] ^ char(1u << below(8)));
+            break;
+        default:
+            bytes.resize(at);
+        }
+    }
+    return bytes;
 }
 
 // Numbers and their bytes as a glTF buffer, written into a data URI.
