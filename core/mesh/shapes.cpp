@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/shapes.h"
+#include "core/mesh/character.h"
 #include "core/mesh/frames.h"
 #include <cmath>
 #include <numbers>
@@ -127,6 +128,7 @@ constexpr ShapeRow kRows[] = {
     {"cylinder", "Cylinder", makeCylinder},
     {"torus", "Torus", makeTorus},
     {"box", "Box", makeBox},
+    {"character", "Character", makeCharacter},
 };
 static_assert(std::size(kRows) == kShapes.size());
 } // namespace
