@@ -52,7 +52,7 @@ struct Renderer::Impl {
         std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
             + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "")
             + (features.coarser ? "/mips" : "") + '/' + std::to_string(features.frames) + (features.curved ? "/curved" : "")
-            + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "");
+            + (features.borders ? "/borders" : "") + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
         return programs.get(
@@ -168,16 +168,27 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         program.set(uniforms);
         m->uploads.bindMaps(program, wrap, technique->bound, bound);
     };
-    const ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
+    ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
+    features.borders = features.curved && m->uploads.meshHasBorders();
     const int curvature = features.curved ? parameters.silhouettes : 0;
     if (const LinkedProgram* program = m->meshProgramFor(features, error)) {
         use(*program);
-        // Faces towards the eye first: those behind them fail the depth test before they are searched. Past the outline of a closed mesh
-        // there is nothing: its inside must not show where the front is cut off.
+        // Faces towards the eye first: those behind them fail the depth test before they are searched. Where the front is cut off, the
+        // inside must not show: a closed mesh has no other faces to draw, and of others what lies behind the front is hidden.
+        program->set("firstTriangle", 0.f);
         glEnable(GL_CULL_FACE);
         for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
-            if (hidden == GL_FRONT && features.curved && m->uploads.meshIsClosed())
-                break;
+            if (hidden == GL_FRONT && features.curved) {
+                if (m->uploads.meshIsClosed())
+                    break;
+                if (const LinkedProgram* polygons = m->programs.get("wireframe", wireframeProgram, error)) {
+                    use(*polygons);
+                    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+                    m->uploads.drawMesh(uniforms.pushOut != 0.f, 0);
+                    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+                    use(*program);
+                }
+            }
             glCullFace(hidden);
             m->uploads.drawMesh(uniforms.pushOut != 0.f, curvature);
         }

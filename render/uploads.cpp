@@ -213,7 +213,7 @@ void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload,
 void Uploads::hold(const Resources& resources)
 {
     if (resources.mesh != m_resources.mesh)
-        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(), m_closed.reset();
+        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(), m_closed.reset(), m_borders.reset();
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     std::erase_if(m_bounds, [&](const auto& entry) {
@@ -300,8 +300,10 @@ void Uploads::bindMaps(
         glActiveTexture(GL_TEXTURE0 + kUploadUnit);
         if (!m_environment)
             m_environment = uploadEnvironment(*m_resources.environment);
-        program.bind("environmentMap", GL_TEXTURE_CUBE_MAP, *m_environment, unit);
+        program.bind("environmentMap", GL_TEXTURE_CUBE_MAP, *m_environment, unit++);
     }
+    if (m_borders)
+        program.bind("borderMap", GL_TEXTURE_BUFFER, *m_borders->texture, unit);
 }
 
 namespace {
@@ -331,6 +333,15 @@ bool Uploads::meshIsClosed()
     if (!m_closed)
         m_closed = isClosed(*m_resources.mesh);
     return *m_closed;
+}
+
+bool Uploads::meshHasBorders()
+{
+    if (!m_borders) {
+        glActiveTexture(GL_TEXTURE0 + kUploadUnit);
+        m_borders = uploadBorders(*m_resources.mesh);
+    }
+    return bool(m_borders->texture);
 }
 
 void Uploads::drawMesh(bool pushed, int curvature)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/source.h"
+#include "render/border_upload.h"
 #include "render/gl_objects.h"
 #include "render/program.h"
 #include <array>
@@ -43,6 +44,8 @@ public:
     void drawMesh(bool pushed, int curvature);
     // isClosed of the mesh, found when first asked for.
     bool meshIsClosed();
+    // Whether bordersOf the mesh finds any, when first asked for; then they are uploaded, and bindMaps binds them.
+    bool meshHasBorders();
 
     // How many textures lie in the context: tests see that nothing unused is uploaded.
     int textureCount() const;
@@ -72,6 +75,7 @@ private:
     Buffer m_vertices, m_indices, m_push, m_curvature;
     int m_curvatureKind = 0; // of what lies in m_curvature
     std::optional<bool> m_closed;
+    std::optional<BorderUpload> m_borders;
 };
 
 } // namespace relievo

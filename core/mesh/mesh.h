@@ -31,6 +31,7 @@ struct Vertex {
 struct MeshPart {
     std::string name, material;
     std::uint32_t firstIndex = 0, indexCount = 0; // into Mesh::indices
+    float relief = 1.f; // share of the relief's depth on this part; 0: plain
 };
 
 struct Mesh {
@@ -39,14 +40,14 @@ struct Mesh {
     std::vector<std::uint32_t> indices; // triples
     std::vector<MeshPart> parts; // at least one
     glm::vec3 boundsMin{0.f}, boundsMax{0.f};
-    float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted (design.md section 3); > 0
+    float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted over what is not plain (design.md section 3); > 0
     bool fileHasUVs = true, fileHasNormals = true, fileHasTangents = false; // what the file held, before anything was made
     std::size_t fileVertices = 0; // distinct (position, normal, UV) tuples of the file, for `info`
     Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped" ...
 };
 
 // Shapes made by formula, largest size 1 m, centred (design.md section 3).
-inline constexpr std::array<std::string_view, 5> kShapes = {"plane", "sphere", "cylinder", "torus", "box"};
+inline constexpr std::array<std::string_view, 7> kShapes = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres"};
 
 // nameOrFile: a row of kShapes, or a file: .gltf .glb .obj .ply .stl .off. Errors name the file and the cure; a file without
 // triangles, with broken indices or missing buffers is refused. Finite positions only; bad normals are remade and told.

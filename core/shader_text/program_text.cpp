@@ -286,6 +286,8 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         .file(features.faded ? "depth_faded.glsl" : "depth_constant.glsl")
         .generated(mapFunctions(features.maps, drafted->text));
     searchFiles(part, *technique, features.view == "error", features.coarser);
+    if (features.curved)
+        part.file(features.borders ? "borders_cut.glsl" : "borders_none.glsl");
     part.file(features.curved ? "sight_curved.glsl" : "sight_straight.glsl")
         .file(features.view == "outline" ? "holes_shown.glsl" : "holes_cut.glsl")
         .file(features.depthOfHit ? "depth_of_hit.glsl" : "depth_of_polygon.glsl");
@@ -397,6 +399,8 @@ std::string uniformDeclarations(const std::string& text)
         declarations += "uniform vec4 boundScales[" + std::to_string(kMaxHeightLevels) + "];\n";
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
+    declare("samplerBuffer", "borderMap");
+    declare("float", "firstTriangle"); // that is drawn, of those in the border map
     declare("samplerCube", "environmentMap");
     declare("sampler2D", "rayMap");
     declare("sampler2D", "cosineMap");
