@@ -47,7 +47,7 @@ ProgramFeatures withoutRelief(ProgramFeatures features)
 {
     features.technique = "flat";
     features.maps.clear();
-    features.curved = features.depthOfHit = features.faded = features.shadows = features.softShadows = features.coarser = features.clamps = false;
+    features.curved = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows = features.coarser = features.clamps = false;
     return features;
 }
 } // namespace
@@ -66,7 +66,7 @@ struct Renderer::Impl {
         std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
             + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "")
             + (features.coarser ? "/mips" : "") + '/' + std::to_string(features.frames) + (features.curved ? "/curved" : "")
-            + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "") + (features.objectShadows ? "/objects" : "")
+            + (features.borders ? "/borders" : "") + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "") + (features.objectShadows ? "/objects" : "")
             + (features.posed ? "/posed" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
@@ -74,34 +74,49 @@ struct Renderer::Impl {
             key, [&](const ShaderReader& read) { return meshProgram(features, read); }, error);
     }
 
-    // The parts with relief by `features`, the plain ones by what is left of them without. Faces towards the eye first: those behind them fail
-    // the depth test before they are searched. Past the outline of a closed mesh there is nothing: its inside must not show where the front is
-    // cut off. use(program, uniforms) makes a program ready.
+    const LinkedProgram* polygonProgramFor(bool posed, std::optional<Error>& error)
+    {
+        return programs.get(
+            posed ? "wireframe/posed" : "wireframe", [&](const ShaderReader& read) { return wireframeProgram(posed, read); }, error);
+    }
+
+    // The parts with relief by `features`, the plain ones by what is left of them without. First all faces towards the eye: those behind them
+    // fail the depth test before they are searched. Where the front is cut off, the inside must not show: a closed mesh has no other faces
+    // to draw, and of others what lies behind the front's polygons is hidden (not in a shadow map, whose depth is what counts).
+    // use(program, uniforms) makes a program ready.
     template <class Use>
     void drawSurface(const State& state, const ProgramFeatures& features, const Parameters& parameters, const SceneUniforms& uniforms,
-        const Use& use, std::optional<Error>& error)
+        bool intoShadowMap, const Use& use, std::optional<Error>& error)
     {
-        for (const Uploads::Parts parts : {Uploads::Parts::Relief, Uploads::Parts::Plain}) {
-            if (!uploads.hasParts(parts, state.part))
-                continue;
+        const auto draw = [&](Uploads::Parts parts, bool polygons) {
             const bool plain = parts == Uploads::Parts::Plain;
+            if (!uploads.hasParts(parts, state.part))
+                return;
             const ProgramFeatures used = plain ? withoutRelief(features) : features;
             SceneUniforms values = uniforms;
             if (plain)
                 values.reliefDepth = values.pushOut = 0.f;
-            const LinkedProgram* program = meshProgramFor(used, error);
-            if (!program)
-                continue;
-            use(*program, values);
-            glEnable(GL_CULL_FACE);
-            for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
-                if (hidden == GL_FRONT && used.curved && uploads.meshIsClosed())
-                    break;
-                glCullFace(hidden);
-                uploads.drawMesh(parts, state.part, values.pushOut != 0.f, used.curved ? parameters.silhouettes : 0);
+            if (const LinkedProgram* program = polygons ? polygonProgramFor(used.posed, error) : meshProgramFor(used, error)) {
+                use(*program, values);
+                uploads.drawMesh(*program, parts, state.part, values.pushOut != 0.f, used.curved && !polygons ? parameters.silhouettes : 0);
             }
-            glDisable(GL_CULL_FACE);
+        };
+        const auto drawAll = [&](bool polygons) {
+            draw(Uploads::Parts::Relief, polygons);
+            draw(Uploads::Parts::Plain, polygons);
+        };
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+        drawAll(false);
+        if (features.curved && !intoShadowMap && !uploads.meshIsClosed()) {
+            glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+            drawAll(true);
+            glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         }
+        glCullFace(GL_FRONT);
+        if (!features.curved || !uploads.meshIsClosed())
+            drawAll(false);
+        glDisable(GL_CULL_FACE);
     }
 
     // What the light sees, as deep as the relief is there; sets the uniforms by which it is read.
@@ -112,7 +127,7 @@ struct Renderer::Impl {
         features.view = "depth", features.shading = 0, features.shadows = features.softShadows = features.objectShadows = false;
         features.depthOfHit = findTechnique(features.technique)->displaces;
         const SceneUniforms light = lightUniforms(uniforms, mesh.boundsMin, mesh.boundsMax, uniforms.pushOut);
-        shadowMap.draw(parameters.shadowMapSize, [&] { drawSurface(state, features, parameters, light, use, error); });
+        shadowMap.draw(parameters.shadowMapSize, [&] { drawSurface(state, features, parameters, light, true, use, error); });
         uniforms.shadowFromWorld = light.clipFromWorld;
         const glm::mat4& clip = light.clipFromWorld;
         uniforms.shadowTexel = 2.f / (glm::length(glm::vec3(clip[0][0], clip[1][0], clip[2][0])) * float(parameters.shadowMapSize));
@@ -239,14 +254,14 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     };
     ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
     features.posed = bool(mesh.deformation);
+    features.borders = features.curved && m->uploads.meshHasBorders();
     if (features.objectShadows) {
         m->drawShadowMap(state, features, parameters, uniforms, mesh, use, error);
         bindTarget(target);
     }
-    m->drawSurface(state, features, parameters, uniforms, use, error);
+    m->drawSurface(state, features, parameters, uniforms, false, use, error);
     if (parameters.wireframe) {
-        if (const LinkedProgram* lines = m->programs.get(
-                features.posed ? "wireframe/posed" : "wireframe", [&](const ShaderReader& read) { return wireframeProgram(features.posed, read); }, error)) {
+        if (const LinkedProgram* lines = m->polygonProgramFor(features.posed, error)) {
             use(*lines, uniforms);
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
             glLineWidth(target.lineWidth);
@@ -255,7 +270,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
             glEnable(GL_POLYGON_OFFSET_LINE);
             glPolygonOffset(-1.f, -1.f);
             for (const Uploads::Parts parts : {Uploads::Parts::Relief, Uploads::Parts::Plain})
-                m->uploads.drawMesh(parts, state.part, uniforms.pushOut != 0.f, 0);
+                m->uploads.drawMesh(*lines, parts, state.part, uniforms.pushOut != 0.f, 0);
             glDisable(GL_POLYGON_OFFSET_LINE);
             glDisable(GL_BLEND);
             glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -214,7 +214,7 @@ void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload,
 void Uploads::hold(const Resources& resources)
 {
     if (resources.mesh != m_resources.mesh)
-        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(), m_closed.reset(), m_pose = PoseUpload();
+        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(), m_closed.reset(), m_borders.reset(), m_pose = PoseUpload();
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     std::erase_if(m_bounds, [&](const auto& entry) {
@@ -301,8 +301,10 @@ void Uploads::bindMaps(
         glActiveTexture(GL_TEXTURE0 + kUploadUnit);
         if (!m_environment)
             m_environment = uploadEnvironment(*m_resources.environment);
-        program.bind("environmentMap", GL_TEXTURE_CUBE_MAP, *m_environment, unit);
+        program.bind("environmentMap", GL_TEXTURE_CUBE_MAP, *m_environment, unit++);
     }
+    if (m_borders)
+        program.bind("borderMap", GL_TEXTURE_BUFFER, *m_borders->texture, unit);
 }
 
 namespace {
@@ -341,6 +343,15 @@ bool Uploads::meshIsClosed()
     return *m_closed;
 }
 
+bool Uploads::meshHasBorders()
+{
+    if (!m_borders) {
+        glActiveTexture(GL_TEXTURE0 + kUploadUnit);
+        m_borders = uploadBorders(*m_resources.mesh);
+    }
+    return bool(m_borders->texture);
+}
+
 namespace {
 bool isIn(const MeshPart& part, Uploads::Parts parts, std::string_view chosen)
 {
@@ -354,7 +365,7 @@ bool Uploads::hasParts(Parts parts, std::string_view part) const
     return std::ranges::any_of(m_resources.mesh->parts, [&](const MeshPart& each) { return isIn(each, parts, part); });
 }
 
-void Uploads::drawMesh(Parts parts, std::string_view part, bool pushed, int curvature)
+void Uploads::drawMesh(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature)
 {
     const Mesh& mesh = *m_resources.mesh;
     if (!m_vertexArray) {
@@ -387,9 +398,11 @@ void Uploads::drawMesh(Parts parts, std::string_view part, bool pushed, int curv
         std::uint32_t count = 0;
         for (last = i; last < mesh.parts.size() && isIn(mesh.parts[last], parts, part); ++last)
             count += mesh.parts[last].indexCount;
-        if (count > 0)
-            glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
-                reinterpret_cast<const void*>(std::uintptr_t(mesh.parts[i].firstIndex) * sizeof(std::uint32_t)));
+        if (count == 0)
+            continue;
+        program.set("firstTriangle", float(mesh.parts[i].firstIndex / 3));
+        glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(std::uintptr_t(mesh.parts[i].firstIndex) * sizeof(std::uint32_t)));
     }
     glBindVertexArray(0);
 }

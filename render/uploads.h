@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/source.h"
+#include "render/border_upload.h"
 #include "render/gl_objects.h"
 #include "render/pose_upload.h"
 #include "render/program.h"
@@ -44,11 +45,13 @@ public:
     bool hasParts(Parts parts, std::string_view part) const;
     // Draws these triangles of the mesh; `part` is State::part. Attribute locations are those of the vertex stage's files.
     // pushed: with the directions of core/mesh/push.h, which are made only then. curvature: the parameter `silhouettes`; 0 wants none.
-    void drawMesh(Parts parts, std::string_view part, bool pushed, int curvature);
+    void drawMesh(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature);
     // Binds what a program of a deforming mesh reads: the pose that clip and time name.
     void bindPose(const LinkedProgram& program, const Parameters& parameters);
     // isClosed of the mesh, found when first asked for.
     bool meshIsClosed();
+    // Whether bordersOf the mesh finds any, when first asked for; then they are uploaded, and bindMaps binds them.
+    bool meshHasBorders();
 
     // How many textures lie in the context: tests see that nothing unused is uploaded.
     int textureCount() const;
@@ -78,6 +81,7 @@ private:
     Buffer m_vertices, m_indices, m_push, m_curvature;
     int m_curvatureKind = 0; // of what lies in m_curvature
     std::optional<bool> m_closed;
+    std::optional<BorderUpload> m_borders;
     PoseUpload m_pose;
 };
 

@@ -112,5 +112,5 @@ Ray lightRay(Surface surface, vec3 toLight)
 
 bool isPastOutline(Surface surface)
 {
-    return !surface.hit.found;
+    return !surface.hit.found || crossesBorder(textureUv, surface.hit.uv);
 }

@@ -32,7 +32,7 @@ void StateOptions::addTo(CLI::App& command)
     command.add_option("--set", set, "Parameter, repeatable, see relievo describe parameters")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command.add_option("--mesh", mesh, "Mesh file or shape")->type_name("FILE|plane|sphere|cylinder|torus|box|character");
+    command.add_option("--mesh", mesh, "Mesh file or shape")->type_name("FILE|plane|sphere|cylinder|torus|box|teapot|spheres|character");
     command.add_option("--environment", environment, "Equirectangular picture (hdr, exr) that lights the scene, or studio")
         ->type_name("FILE");
     command.add_option("--camera", camera, "yaw=DEG,pitch=DEG,distance=M,target=X:Y:Z (M),fov=DEG, any of them")->type_name("SETTINGS");

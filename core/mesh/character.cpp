@@ -28,10 +28,10 @@ constexpr BoneRow kBones[BoneCount] = {
     {LeftThigh, {0.08f, -0.24f, 0.f}, {24.f, 0.f, 22.f, 0.f}},
     {Hips, {-0.08f, 0.f, 0.f}, {-6.f, 28.f, 0.f, 0.f}},
     {RightThigh, {-0.08f, -0.24f, 0.f}, {24.f, 0.f, -22.f, 0.f}},
-    {Chest, {0.175f, 0.26f, 0.f}, {0.f, 26.f, 0.f, 0.f}},
-    {LeftArm, {0.205f, 0.07f, 0.f}, {-28.f, 12.f, 0.f, 0.f}},
-    {Chest, {-0.175f, 0.26f, 0.f}, {0.f, -26.f, 0.f, 0.f}},
-    {RightArm, {-0.205f, 0.07f, 0.f}, {-28.f, -12.f, 0.f, 0.f}},
+    {Chest, {0.145f, 0.25f, 0.f}, {0.f, 26.f, 0.f, 0.f}},
+    {LeftArm, {0.18f, 0.06f, 0.f}, {-28.f, 12.f, 0.f, 0.f}},
+    {Chest, {-0.145f, 0.25f, 0.f}, {0.f, -26.f, 0.f, 0.f}},
+    {RightArm, {-0.18f, 0.06f, 0.f}, {-28.f, -12.f, 0.f, 0.f}},
 };
 
 // A tube from top to bottom with rounded ends; its upper part hangs on one bone, its lower part on another.
@@ -43,14 +43,14 @@ struct Limb {
     float tilesAround;
 };
 constexpr Limb kLimbs[] = {
-    {{0.f, 0.34f, 0.f}, {0.f, -0.07f, 0.f}, {0.10f, 0.135f, 0.11f}, 0.72f, Chest, Hips, 3.f},
+    {{0.f, 0.37f, 0.f}, {0.f, -0.09f, 0.f}, {0.12f, 0.145f, 0.135f}, 0.72f, Chest, Hips, 3.f},
     {{0.f, 0.50f, 0.01f}, {0.f, 0.31f, 0.f}, {0.10f, 0.095f, 0.05f}, 1.05f, Head, Head, 2.f},
     {{0.08f, 0.04f, 0.f}, {0.085f, -0.45f, 0.f}, {0.08f, 0.062f, 0.04f}, 1.f, LeftThigh, LeftCalf, 2.f},
     {{-0.08f, 0.04f, 0.f}, {-0.085f, -0.45f, 0.f}, {0.08f, 0.062f, 0.04f}, 1.f, RightThigh, RightCalf, 2.f},
     {{0.085f, -0.42f, 0.03f}, {0.085f, -0.5f, 0.05f}, {0.04f, 0.05f, 0.05f}, 2.1f, LeftCalf, LeftCalf, 1.f},
     {{-0.085f, -0.42f, 0.03f}, {-0.085f, -0.5f, 0.05f}, {0.04f, 0.05f, 0.05f}, 2.1f, RightCalf, RightCalf, 1.f},
-    {{0.17f, 0.30f, 0.f}, {0.225f, -0.14f, 0.f}, {0.056f, 0.043f, 0.032f}, 1.f, LeftArm, LeftForearm, 1.f},
-    {{-0.17f, 0.30f, 0.f}, {-0.225f, -0.14f, 0.f}, {0.056f, 0.043f, 0.032f}, 1.f, RightArm, RightForearm, 1.f},
+    {{0.125f, 0.30f, 0.f}, {0.205f, -0.15f, 0.f}, {0.056f, 0.043f, 0.032f}, 1.f, LeftArm, LeftForearm, 1.f},
+    {{-0.125f, 0.30f, 0.f}, {-0.205f, -0.15f, 0.f}, {0.056f, 0.043f, 0.032f}, 1.f, RightArm, RightForearm, 1.f},
 };
 
 // s once around, seen from outside to the right; t down.
@@ -59,7 +59,8 @@ glm::vec3 pointOf(const Limb& limb, float s, float t)
     const float along = 0.5f - 0.5f * std::cos(kPi * t), angle = 2.f * kPi * (s - std::floor(s));
     const float middle = 4.f * along * (1.f - along);
     const float radius = (along < 0.5f ? limb.radius[0] : limb.radius[2]) * (1.f - middle) + limb.radius[1] * middle;
-    const float round = std::pow(std::max(std::sin(kPi * t), 0.f), 0.45f); // hemispherical at the ends, nearly
+    const float blunt = std::clamp(4.f * limb.radius[1] / glm::length(limb.bottom - limb.top), 0.3f, 1.f); // 1: an ellipsoid
+    const float round = std::pow(std::max(std::sin(kPi * t), 0.f), blunt);
     return limb.top + (limb.bottom - limb.top) * along + radius * round * glm::vec3(std::sin(angle), 0.f, limb.flat * std::cos(angle));
 }
 

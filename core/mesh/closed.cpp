@@ -2,34 +2,16 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/closed.h"
+#include "core/mesh/places.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <tuple>
 #include <unordered_map>
 
 namespace relievo {
 
-namespace {
-// One number for all vertices of a position.
-std::vector<std::uint32_t> places(const Mesh& mesh)
-{
-    std::vector<std::uint32_t> order(mesh.vertices.size()), place(order.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    const auto key = [&](std::uint32_t i) {
-        const glm::vec3 p = mesh.vertices[i].position;
-        return std::tuple(p.x, p.y, p.z);
-    };
-    std::ranges::sort(order, {}, key);
-    for (std::size_t i = 0; i < order.size(); ++i)
-        place[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? place[order[i - 1]] : std::uint32_t(i);
-    return place;
-}
-} // namespace
-
 bool isClosed(const Mesh& mesh)
 {
-    const std::vector<std::uint32_t> place = places(mesh);
+    const std::vector<std::uint32_t> place = placesOf(mesh);
     std::unordered_map<std::uint64_t, int> balance; // of an edge: passages from its lower to its higher end less those back
     balance.reserve(mesh.indices.size());
     double volume = 0.;

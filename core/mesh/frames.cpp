@@ -92,6 +92,13 @@ void splitByTangents(Mesh& mesh, std::span<const glm::vec4> fileTangents)
     }
 }
 
+// Whether an index belongs to a part without relief.
+bool isPlain(const Mesh& mesh, std::size_t index)
+{
+    return std::ranges::any_of(mesh.parts,
+        [&](const MeshPart& part) { return part.relief == 0.f && index >= part.firstIndex && index < part.firstIndex + part.indexCount; });
+}
+
 // The Jacobian of one vertex from the weighted sums over its triangles (weight 0: none had usable UVs), and a tangent if it has none.
 void setFrame(Vertex& vertex, float weight, float metresPerUV)
 {
@@ -125,8 +132,8 @@ double setJacobians(Mesh& mesh, std::vector<float>& weights)
             = frameOf(mesh.vertices[mesh.indices[i]], mesh.vertices[mesh.indices[i + 1]], mesh.vertices[mesh.indices[i + 2]]);
         if (frame.uvArea <= 0.f)
             continue;
-        area += double(frame.area);
-        uvArea += double(frame.uvArea);
+        if (!isPlain(mesh, i))
+            area += double(frame.area), uvArea += double(frame.uvArea);
         for (std::size_t k = i; k < i + 3; ++k) {
             const std::uint32_t at = mesh.indices[k];
             mesh.vertices[at].dPdu += frame.dPdu * frame.area;

@@ -52,7 +52,7 @@ struct Mesh {
     std::vector<MeshPart> parts; // at least one
     std::vector<MeshMaterial> materials; // empty when the file describes none; a part may name one that is not here
     glm::vec3 boundsMin{0.f}, boundsMax{0.f};
-    float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted (design.md section 3); > 0
+    float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted over what is not plain (design.md section 3); > 0
     bool fileHasUVs = true, fileHasNormals = true, fileHasTangents = false; // what the file held, before anything was made
     std::size_t fileVertices = 0; // distinct (position, normal, UV) tuples of the file, for `info`
     std::size_t repeatedVertices = 0; // vertices that the file writes out although an equal one exists (0 for STL, which cannot share)
@@ -61,7 +61,7 @@ struct Mesh {
 };
 
 // Shapes made by formula, largest size 1 m, centred (design.md section 3).
-inline constexpr std::array<std::string_view, 6> kShapes = {"plane", "sphere", "cylinder", "torus", "box", "character"};
+inline constexpr std::array<std::string_view, 8> kShapes = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character"};
 
 // nameOrFile: a row of kShapes, or a file: .gltf .glb .obj .ply .stl .off. Errors name the file and the cure; a file without
 // triangles, with broken indices or missing buffers is refused. Finite positions only; bad normals are remade and told.

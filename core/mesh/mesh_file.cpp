@@ -48,7 +48,7 @@ Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress)
         return buildMesh(std::move(*raw), nameOrFile, progress);
     }
     return failure(nameOrFile, "this is neither a built-in shape nor a mesh file that can be read",
-        "Use plane, sphere, cylinder, torus, box, or a .gltf, .glb, .obj, .ply, .stl or .off file");
+        "Use plane, sphere, cylinder, torus, box, teapot, spheres, or a .gltf, .glb, .obj, .ply, .stl or .off file");
 }
 
 std::string meshJson(const Mesh& mesh)

@@ -1,71 +1,49 @@
-// Plane, sphere, cylinder, torus and box by formula.
+// Plane, sphere, cylinder, torus, box and spheres in a plane by formula.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/shapes.h"
 #include "core/mesh/character.h"
 #include "core/mesh/frames.h"
+#include "core/mesh/shape_grid.h"
+#include "core/mesh/teapot.h"
 #include <cmath>
-#include <numbers>
 
 namespace relievo {
 
 namespace {
-constexpr float kPi = std::numbers::pi_v<float>;
-
-struct Point {
-    glm::vec3 position, normal;
-    glm::vec2 uv;
-};
-
-// A grid of columns x rows quads over (s, t) in [0, 1]^2; seen from outside, s runs to the right and t down.
-template <class Surface> void addGrid(Mesh& mesh, unsigned columns, unsigned rows, Surface surface)
-{
-    const auto first = std::uint32_t(mesh.vertices.size());
-    for (unsigned j = 0; j <= rows; ++j) {
-        for (unsigned i = 0; i <= columns; ++i) {
-            const Point p = surface(float(i) / float(columns), float(j) / float(rows));
-            mesh.vertices.push_back({.position = p.position, .normal = p.normal, .uv = p.uv, .tangent = {}, .dPdu = {}, .dPdv = {}});
-        }
-    }
-    const auto samePlace
-        = [&mesh](std::uint32_t a, std::uint32_t b) { return glm::distance(mesh.vertices[a].position, mesh.vertices[b].position) < 1e-6f; };
-    const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (!samePlace(a, b) && !samePlace(b, c) && !samePlace(c, a)) // at a pole one of the two is a line
-            mesh.indices.insert(mesh.indices.end(), {a, b, c});
-    };
-    for (unsigned j = 0; j < rows; ++j) {
-        for (unsigned i = 0; i < columns; ++i) {
-            const std::uint32_t topLeft = first + j * (columns + 1) + i, bottomLeft = topLeft + columns + 1;
-            triangle(topLeft, bottomLeft, bottomLeft + 1);
-            triangle(topLeft, bottomLeft + 1, topLeft + 1);
-        }
-    }
-}
-
 void makePlane(Mesh& mesh)
 {
     addGrid(mesh, 1, 1, [](float s, float t) { return Point{{s - 0.5f, 0.f, t - 0.5f}, {0.f, 1.f, 0.f}, {s, t}}; });
 }
 
-// Around the y axis from +z towards +x.
-glm::vec3 around(float share)
-{
-    const float angle = 2.f * kPi * (share - std::floor(share)); // seams close exactly
-    return {std::sin(angle), 0.f, std::cos(angle)};
-}
-
-// 4 x 2 tiles. At a pole each triangle has its own vertex with the UV of its middle, so that the pinch stays a point.
-void makeSphere(Mesh& mesh)
+// 2 tiles x tiles. At a pole each triangle has its own vertex with the UV of its middle, so that the pinch stays a point.
+void addSphere(Mesh& mesh, glm::vec3 centre, float radius, float tiles)
 {
     constexpr unsigned kColumns = 80, kRows = 40;
-    addGrid(mesh, kColumns, kRows, [](float s, float t) {
+    addGrid(mesh, kColumns, kRows, [&](float s, float t) {
         const float polar = kPi * t;
         const bool north = t == 0.f, south = t == 1.f;
         const float ring = north || south ? 0.f : std::sin(polar);
         const glm::vec3 n = around(s) * ring + glm::vec3(0.f, north ? 1.f : south ? -1.f : std::cos(polar), 0.f);
         const float halfCell = north ? 0.5f / kColumns : south ? -0.5f / kColumns : 0.f;
-        return Point{0.5f * n, n, {4.f * (s + halfCell), 2.f * t}};
+        return Point{centre + radius * n, n, {2.f * tiles * (s + halfCell), tiles * t}};
     });
+}
+
+void makeSphere(Mesh& mesh)
+{
+    addSphere(mesh, glm::vec3(0.f), 0.5f, 2.f);
+}
+
+// Plain spheres half sunk into a plane with relief (Policarpo, Oliveira and Comba 2005, figure 18): they meet where the relief does.
+void makeSpheres(Mesh& mesh)
+{
+    makePlane(mesh);
+    const auto plane = std::uint32_t(mesh.indices.size());
+    addSphere(mesh, {-0.2f, 0.f, -0.16f}, 0.2f, 1.f);
+    addSphere(mesh, {0.22f, 0.f, -0.04f}, 0.14f, 1.f);
+    addSphere(mesh, {-0.06f, 0.f, 0.27f}, 0.09f, 0.5f);
+    mesh.parts = {{"Plane", "material", 0, plane}, {"Spheres", "material", plane, std::uint32_t(mesh.indices.size()) - plane, 0.f}};
 }
 
 // The side is 4 x 2 tiles of 0.5 m; the caps carry tiles of the same size.
@@ -128,6 +106,8 @@ constexpr ShapeRow kRows[] = {
     {"cylinder", "Cylinder", makeCylinder},
     {"torus", "Torus", makeTorus},
     {"box", "Box", makeBox},
+    {"teapot", "Teapot", makeTeapot},
+    {"spheres", "Spheres", makeSpheres},
     {"character", "Character", makeCharacter},
 };
 static_assert(std::size(kRows) == kShapes.size());
@@ -141,7 +121,8 @@ std::optional<Mesh> makeShape(std::string_view key)
         Mesh mesh;
         mesh.name = row.label;
         row.make(mesh);
-        mesh.parts = {{mesh.name, "material", 0, std::uint32_t(mesh.indices.size())}};
+        if (mesh.parts.empty())
+            mesh.parts = {{mesh.name, "material", 0, std::uint32_t(mesh.indices.size())}};
         mesh.fileVertices = mesh.vertices.size();
         completeFrames(mesh);
         return mesh;

@@ -290,6 +290,8 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         .file(features.faded ? "depth_faded.glsl" : "depth_constant.glsl")
         .generated(mapFunctions(features.maps, drafted->text));
     searchFiles(part, *technique, features);
+    if (features.curved)
+        part.file(features.borders ? "borders_cut.glsl" : "borders_none.glsl");
     part.file(features.curved ? "sight_curved.glsl" : "sight_straight.glsl")
         .file(features.view == "outline" ? "holes_shown.glsl" : "holes_cut.glsl")
         .file(features.depthOfHit ? "depth_of_hit.glsl" : "depth_of_polygon.glsl");
@@ -404,6 +406,8 @@ std::string uniformDeclarations(const std::string& text)
         declarations += "uniform vec4 boundScales[" + std::to_string(kMaxHeightLevels) + "];\n";
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
+    declare("samplerBuffer", "borderMap");
+    declare("float", "firstTriangle"); // that is drawn, of those in the border map
     declare("samplerCube", "environmentMap");
     declare("sampler2DShadow", "shadowMap");
     declare("samplerBuffer", "poseMap"); // see place_posed.glsl

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/displaced_mesh.h"
+#include "core/mesh/closed.h"
 #include "core/mesh/push.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/state.h"
@@ -146,6 +147,16 @@ std::vector<float> reliefOfTriangles(const Mesh& mesh)
     return reliefs;
 }
 
+// Lets rays pass through the backs of a closed mesh's sheets: where they part at a hard edge, the inside is not seen, as in a picture.
+void onlyFronts(const RTCFilterFunctionNArguments* hit)
+{
+    const float facing = RTCHitN_Ng_x(hit->hit, hit->N, 0) * RTCRayN_dir_x(hit->ray, hit->N, 0)
+        + RTCHitN_Ng_y(hit->hit, hit->N, 0) * RTCRayN_dir_y(hit->ray, hit->N, 0)
+        + RTCHitN_Ng_z(hit->hit, hit->N, 0) * RTCRayN_dir_z(hit->ray, hit->N, 0);
+    if (facing > 0.f)
+        hit->valid[0] = 0;
+}
+
 bool countMemory(void* user, ssize_t bytes, bool)
 {
     *static_cast<std::atomic<std::ptrdiff_t>*>(user) += bytes;
@@ -180,6 +191,8 @@ Expected<DisplacedMesh> DisplacedMesh::build(
     impl->scene = rtcNewScene(impl->device);
     rtcSetSceneFlags(impl->scene, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
     RTCGeometry geometry = rtcNewGeometry(impl->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    if (isClosed(mesh))
+        rtcSetGeometryIntersectFilterFunction(geometry, onlyFronts);
     auto* vertices = static_cast<float*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), cuts.firstVertex.back()));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(

@@ -27,7 +27,8 @@ public:
     // finest: half of what a pixel of a picture `height` pixels high sees at the mesh's near side.
     static Detail detailFor(const Mesh& mesh, const CameraView& camera, float fovDegrees, int height);
 
-    // Metres along the unit direction to the first hit; infinity when there is none.
+    // Metres along the unit direction to the first hit; infinity when there is none. The backs of a closed mesh are not hit: where its
+    // sheets part at a hard edge, a ray that only meets their backs goes out again.
     float distance(glm::vec3 origin, glm::vec3 direction) const;
     std::size_t triangles() const;
     std::size_t bytes() const; // of Embree's scene and its buffers

@@ -20,7 +20,7 @@ if [ ! -d "$tools/node_modules/mikktspace" ]; then
 fi
 rm -rf "$out"
 mkdir -p "$out"
-for mesh in plane sphere cylinder torus box "$data"/meshes/{spot.obj,teapot.obj,Avocado/glTF/Avocado.gltf,NormalTangentMirrorTest.glb,animated/CesiumMan.glb}; do
+for mesh in plane sphere cylinder torus box teapot spheres "$data"/meshes/{spot.obj,teapot.obj,Avocado/glTF/Avocado.gltf,NormalTangentMirrorTest.glb,animated/CesiumMan.glb}; do
   name=$(basename "$mesh")
   case $mesh in */*) [ -f "$mesh" ] || { echo "skipped: no $name"; continue; } ;; esac
   "$bench" "$mesh" "$out/$name.corners"

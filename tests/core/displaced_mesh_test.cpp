@@ -59,6 +59,20 @@ TEST(DisplacedMesh, SphereShrinksByTheDepth)
     EXPECT_TRUE(std::isinf(surface->distance({0.f, 0.5f - 0.5f * depth, 2.f}, {0.f, 0.f, -1.f}))); // between it and the mesh
 }
 
+TEST(DisplacedMesh, TheInsideOfAClosedMeshIsNotSeen)
+{
+    const HeightField low(8, 8, std::vector<float>(64, 0.f));
+    Parameters parameters;
+    parameters.depth = 0.1f;
+    const auto box = DisplacedMesh::build(*makeShape("box"), low, parameters, {}),
+               plane = DisplacedMesh::build(*makeShape("plane"), low, parameters, {});
+    ASSERT_TRUE(box && plane);
+    // Between the top and its sheet, towards the back of the next side's sheet.
+    EXPECT_TRUE(std::isinf(box->distance({0.f, 0.45f, 0.f}, {1.f, 0.f, 0.f})));
+    EXPECT_NEAR(box->distance({2.f, 0.45f, 0.f}, {-1.f, 0.f, 0.f}), 1.6f, 1e-5f);
+    EXPECT_NEAR(plane->distance({0.f, -1.f, 0.f}, {0.f, 1.f, 0.f}), 0.9f, 1e-5f); // an open one has two sides
+}
+
 TEST(DisplacedMesh, KeepsToItsBudgetAndSaysSo)
 {
     const auto surface = DisplacedMesh::build(*makeShape("torus"), waves(256), Parameters(), {.maxTriangles = 50'000});
@@ -72,7 +86,7 @@ TEST(DisplacedMesh, KeepsToItsBudgetAndSaysSo)
 
 TEST(ClosedMesh, KnowsInsideFromOutside)
 {
-    for (const char* closed : {"sphere", "torus", "box", "cylinder"})
+    for (const char* closed : {"sphere", "torus", "box", "cylinder", "teapot"})
         EXPECT_TRUE(isClosed(*makeShape(closed))) << closed;
     EXPECT_FALSE(isClosed(*makeShape("plane")));
     Mesh inverted = *makeShape("sphere");

@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/mesh.h"
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 using namespace relievo;
@@ -24,8 +26,10 @@ TEST_P(Shapes, IsOneMetreAndCentred)
     const glm::vec3 size = mesh.boundsMax - mesh.boundsMin, middle = mesh.boundsMax + mesh.boundsMin;
     EXPECT_NEAR(std::max({size.x, size.y, size.z}), 1.f, 1e-5f);
     EXPECT_LT(glm::length(middle), 1e-5f);
-    EXPECT_EQ(mesh.parts.size(), 1u);
-    EXPECT_EQ(mesh.parts[0].indexCount, mesh.indices.size());
+    std::size_t drawn = 0;
+    for (const MeshPart& part : mesh.parts)
+        drawn += part.firstIndex == drawn ? part.indexCount : 0;
+    EXPECT_EQ(drawn, mesh.indices.size());
     EXPECT_TRUE(mesh.warnings.empty());
 }
 
@@ -100,6 +104,38 @@ TEST(ShapesSize, MetresPerUVIsTheRootOfTheAreas)
     EXPECT_NEAR(shape("sphere").metresPerUV, std::sqrt(3.14159f / 8.f), 0.01f); // pi m2 over 4 x 2 tiles
     EXPECT_NEAR(shape("cylinder").metresPerUV, 0.5f, 0.001f);
     EXPECT_NEAR(shape("box").metresPerUV, 1.f, 1e-5f);
+}
+
+TEST(ShapesSize, SpheresArePlainInAPlaneWithRelief)
+{
+    const Mesh mesh = shape("spheres");
+    ASSERT_EQ(mesh.parts.size(), 2u);
+    EXPECT_EQ(mesh.parts[0].relief, 1.f);
+    EXPECT_EQ(mesh.parts[0].indexCount, 6u);
+    EXPECT_EQ(mesh.parts[1].relief, 0.f);
+    EXPECT_FLOAT_EQ(mesh.metresPerUV, 1.f); // the plane's alone
+    int under = 0;
+    for (const Vertex& v : mesh.vertices)
+        under += v.position.y < -0.05f;
+    EXPECT_GT(under, 1000); // they are whole
+}
+
+// Every piece has whole tiles around: where a vertex has a twin of the same place and normal, their u differ by whole tiles.
+TEST(ShapesSize, TeapotsSeamsRepeatWholeTiles)
+{
+    const Mesh mesh = shape("teapot");
+    std::map<std::array<float, 7>, std::vector<float>> ofPlace;
+    for (const Vertex& v : mesh.vertices)
+        ofPlace[{v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.uv.y}].push_back(v.uv.x);
+    int seams = 0;
+    for (const auto& [place, u] : ofPlace)
+        if (u.size() == 2) { // more of them meet at a pole
+            const float apart = std::abs(u[1] - u[0]);
+            ++seams;
+            EXPECT_GT(apart, 0.5f);
+            EXPECT_NEAR(apart, std::round(apart), 1e-4f);
+        }
+    EXPECT_GT(seams, 200);
 }
 
 TEST(MeshJson, SaysWhatTheCommandLinePromises)

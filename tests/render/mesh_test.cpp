@@ -79,7 +79,7 @@ TEST(Deforming, TheGpuPosesAsTheCpuDoes)
         if (fs::exists(kMeshes / "animated" / file))
             meshes.push_back((kMeshes / "animated" / file).string());
     for (const std::string& mesh : meshes) {
-        State state = stateOn(mesh);
+        State state = stateOn(mesh, "flat");
         const Resources resources = resourcesOf(state);
         ASSERT_TRUE(resources.mesh && resources.mesh->deformation) << mesh;
         Image first;
@@ -88,8 +88,12 @@ TEST(Deforming, TheGpuPosesAsTheCpuDoes)
             const Resources still = posedResources(state, resources);
             const Image moved = picture(renderer, state, resources, "position");
             const float size = glm::length(resources.mesh->boundsMax - resources.mesh->boundsMin);
-            EXPECT_LT(differing(moved, picture(second, state, still, "position"), 0.01f * size), 0.02) << mesh << " at " << share;
-            EXPECT_LT(differing(picture(renderer, state, resources, "normal"), picture(second, state, still, "normal"), 0.1f), 0.06)
+            EXPECT_LT(differing(moved, picture(second, state, still, "position"), 1e-4f * size), 0.005) << mesh << " at " << share;
+            EXPECT_LT(differing(picture(renderer, state, resources, "normal"), picture(second, state, still, "normal"), 0.02f), 0.01)
+                << mesh << " at " << share;
+            State deep = state; // the linear part of the skin is not the whole Jacobian where it bends
+            deep.panes = {Pane{"cell-cone", {}}};
+            EXPECT_LT(differing(picture(renderer, deep, resources, "position"), picture(second, deep, still, "position"), 0.01f * size), 0.12)
                 << mesh << " at " << share;
             if (share == 0.f)
                 first = moved;
@@ -155,7 +159,8 @@ TEST(ObjectShadows, NoAcneOnAReliefAlone)
         const Resources resources = resourcesOf(state);
         const Image alone = picture(renderer, state, resources, "shadow");
         state.parameters.objectShadows = true;
-        EXPECT_LT(differing(picture(renderer, state, resources, "shadow"), alone, 0.3f), 0.06) << mesh;
+        // On the sphere what the search cannot see lies in shadow by the map: the far side of the terminator's stones.
+        EXPECT_LT(differing(picture(renderer, state, resources, "shadow"), alone, 0.3f), mesh == std::string("plane") ? 0.03 : 0.1) << mesh;
     }
 }
 
@@ -187,21 +192,28 @@ TEST(Frames, EdgeFadeFlattensWhatIsSeenEdgeOn)
     State state = stateOn("sphere");
     state.parameters.frames = 1, state.parameters.depth = 0.15f;
     const Resources resources = resourcesOf(state);
-    state.parameters.edgeFade = 0.5f;
-    const Image faded = picture(renderer, state, resources, "position");
-    double edge = 0., largest = 0.;
-    for (int y = 0; y < faded.height; ++y)
-        for (int x = 0; x < faded.width; ++x)
-            if (faded.value(x, y, 3) > 0.5f) {
-                const glm::vec3 point(faded.value(x, y, 0), faded.value(x, y, 1), faded.value(x, y, 2));
-                const CameraView camera = cameraView(state.camera, resources.mesh->boundsMin, resources.mesh->boundsMax, 4.f / 3.f);
-                const double sunk = 0.5 - double(glm::length(point));
-                largest = std::max(largest, sunk);
-                if (glm::dot(glm::normalize(point), glm::normalize(camera.eye - point)) < 0.1f)
-                    edge = std::max(edge, sunk);
+    // The largest shift of what is seen, towards the outline and in the middle of the sphere.
+    const auto shifts = [&](bool outline) {
+        State flat = state;
+        flat.panes = {Pane{"flat", {}}};
+        const Image polygon = picture(renderer, flat, resources, "position"), relief = picture(renderer, state, resources, "position");
+        const CameraView camera = cameraView(state.camera, resources.mesh->boundsMin, resources.mesh->boundsMax, 4.f / 3.f);
+        double largest = 0.;
+        for (int y = 0; y < relief.height; ++y)
+            for (int x = 0; x < relief.width; ++x) {
+                const glm::vec3 at(polygon.value(x, y, 0), polygon.value(x, y, 1), polygon.value(x, y, 2));
+                const glm::vec3 point(relief.value(x, y, 0), relief.value(x, y, 1), relief.value(x, y, 2));
+                const float cosine = glm::dot(glm::normalize(at), glm::normalize(camera.eye - at));
+                if (relief.value(x, y, 3) > 0.5f && (cosine < 0.12f) == outline && cosine > 0.02f)
+                    largest = std::max(largest, double(glm::distance(at, point)) * double(cosine));
             }
-    EXPECT_GT(largest, 0.03);
-    EXPECT_LT(edge, 0.2 * largest);
+        return largest;
+    };
+    const double middle = shifts(false), outline = shifts(true);
+    EXPECT_GT(outline, 0.2 * middle);
+    state.parameters.edgeFade = 0.5f;
+    EXPECT_GT(shifts(false), 0.8 * middle);
+    EXPECT_LT(shifts(true), 0.4 * outline);
 }
 
 TEST(Invalid, NoPixelIsNoNumber)

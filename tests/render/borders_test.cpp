@@ -1,0 +1,122 @@
+// Where relief ends on meshes with borders, against the displaced mesh.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shader_text/program_text.h"
+#include "render/mesh_errors.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace relievo;
+
+namespace {
+
+State onMesh(const char* mesh)
+{
+    State state = openSource("sample:cobblestones@256", State())->state;
+    state.mesh = mesh;
+    state.parameters.depth = 0.08f, state.parameters.shadows = false, state.parameters.heightMips = false, state.parameters.background = 2;
+    state.panes = {Pane{"cell-cone", {}}};
+    return state;
+}
+
+// Pixels with relief where the displaced mesh has nothing, and those without where it has some.
+struct Outline {
+    int beyond = 0, missing = 0;
+};
+
+Outline outline(Renderer& renderer, const State& state, const Resources& resources, const std::vector<float>& exact, int width, int height)
+{
+    const Image image = *drawPicture(renderer, state, 0, resources, "position", width, height, 1, true);
+    Outline result;
+    for (int i = 0; i < width * height; ++i) {
+        const bool covered = image.value(i % width, i / width, 3) > 0.5f, truth = std::isfinite(exact[std::size_t(i)]);
+        result.beyond += covered && !truth;
+        result.missing += !covered && truth;
+    }
+    return result;
+}
+
+struct Sums {
+    Outline flat, cut;
+};
+
+Sums overViews(const char* mesh)
+{
+    constexpr int kWidth = 240, kHeight = 180;
+    constexpr float kViews[][2] = {{30.f, 35.f}, {120.f, 10.f}, {210.f, 20.f}, {300.f, 3.f}, {0.f, 60.f}};
+    State state = onMesh(mesh);
+    const auto resources = *loadResources(state, {}, {});
+    Renderer renderer;
+    Sums sums;
+    Warnings warnings;
+    for (const auto& view : kViews) {
+        state.camera.yaw = view[0], state.camera.pitch = view[1];
+        const auto exact = exactDistances(state, resources, kWidth, kHeight, warnings);
+        EXPECT_TRUE(exact) << mesh;
+        if (!exact)
+            break;
+        for (const int silhouettes : {0, 2}) {
+            state.parameters.silhouettes = silhouettes;
+            const Outline found = outline(renderer, state, resources, *exact, kWidth, kHeight);
+            Outline& sum = silhouettes == 0 ? sums.flat : sums.cut;
+            sum.beyond += found.beyond, sum.missing += found.missing;
+        }
+    }
+    return sums;
+}
+
+} // namespace
+
+TEST(Borders, ReliefEndsWhereTheDisplacedMeshDoes)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    for (const char* mesh : {"plane", "box", "cylinder"}) {
+        const Sums sums = overViews(mesh);
+        RecordProperty(mesh, std::to_string(sums.cut.beyond) + " of " + std::to_string(sums.flat.beyond));
+        EXPECT_GT(sums.flat.beyond, 1000) << mesh;
+        EXPECT_LE(sums.cut.beyond, sums.flat.beyond / 5) << mesh;
+        if (std::string_view(mesh) != "plane") // whose front edge is seen through no polygon
+            EXPECT_LE(sums.cut.beyond + sums.cut.missing, (sums.flat.beyond + sums.flat.missing) / 5) << mesh;
+        else
+            EXPECT_LE(sums.cut.missing, sums.flat.missing + sums.flat.beyond / 20) << mesh;
+    }
+}
+
+// Nearly closed meshes are cut off as closed ones are: their inside does not show behind the front.
+TEST(Borders, AHoleAtTheBackDoesNotFillTheOutline)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    State state = onMesh("sphere");
+    state.camera.yaw = 0.f, state.camera.pitch = 20.f;
+    state.parameters.silhouettes = 2;
+    auto resources = *loadResources(state, {}, {});
+    const auto covered = [&] {
+        Renderer renderer;
+        const Image image = *drawPicture(renderer, state, 0, resources, "position", 240, 180, 1, true);
+        int count = 0;
+        for (int i = 0; i < 240 * 180; ++i)
+            count += image.value(i % 240, i / 240, 3) > 0.5f;
+        return count;
+    };
+    const int whole = covered();
+    Mesh open = *resources.mesh;
+    open.indices.resize(open.indices.size() - 3); // at the south pole
+    resources.mesh = std::make_shared<const Mesh>(open);
+    EXPECT_EQ(covered(), whole);
+    state.parameters.silhouettes = 0;
+    EXPECT_GT(covered(), whole);
+}
+
+// A mesh without borders pays nothing for them.
+TEST(Borders, OnlyMeshesWithBordersReadThem)
+{
+    ProgramFeatures features;
+    features.technique = "cell-cone", features.maps = {MapKind::Height}, features.curved = true;
+    EXPECT_FALSE(meshProgram(features, embeddedReader())->fragment.mentions("borderMap"));
+    features.borders = true;
+    EXPECT_TRUE(meshProgram(features, embeddedReader())->fragment.mentions("borderMap"));
+    features.curved = false;
+    EXPECT_FALSE(meshProgram(features, embeddedReader())->fragment.mentions("borderMap"));
+}
