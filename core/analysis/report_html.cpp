@@ -289,7 +289,8 @@ private:
         std::string html = "<h2>Pictures</h2><p>" + picturedText() + "A plane that fills " + std::to_string(m_report.pictureWidth)
             + " \u00d7 " + std::to_string(m_report.pictureHeight) + " pixels, seen at these angles from its normal, drawn by "
             + escaped(m_report.renderer)
-            + ". Time: the search with one colour lookup, as a multiple of the same plane as a plain textured quad; frames interleaved, "
+            + ". Time: the search with one colour lookup (or its depth shown, where there is no colour map), as a multiple of the same "
+              "plane as a plain textured quad; frames interleaved, "
               "median. "
               "FLIP and PSNR: the lit picture against "
             + escaped(m_report.exactLabel) + ".</p>" + m_series.legend(plots);
