@@ -36,6 +36,11 @@ Expected<std::vector<double>> frameTimes(Renderer& renderer, const Resources& re
     return medians;
 }
 
+std::string_view timedView(const Resources& resources)
+{
+    return resources.material && resources.material->map(MapKind::Color) ? "color" : "depth";
+}
+
 TimedFrame plainQuad(const State& state)
 {
     TimedFrame frame{state, "color"};

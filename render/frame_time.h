@@ -5,6 +5,7 @@
 #include "core/progress.h"
 #include "render/windowless.h"
 #include <string>
+#include <string_view>
 
 namespace relievo {
 
@@ -17,6 +18,10 @@ struct TimedFrame {
 // clock between glFinish calls. Needs a current context. Errors: those of Renderer::draw, cancelled.
 Expected<std::vector<double>> frameTimes(Renderer& renderer, const Resources& resources, std::span<const TimedFrame> frames, int width,
     int height, int rounds, const Progress& progress = {});
+
+// The view that a search is timed in: "color", or "depth" where no colour map reads the place of the hit, because a driver leaves out a
+// search whose result nothing shows.
+std::string_view timedView(const Resources& resources);
 
 // The plain textured quad that techniques are compared with: the same view of the State, without any relief and unlit.
 TimedFrame plainQuad(const State& state);

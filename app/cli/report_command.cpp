@@ -114,7 +114,7 @@ Expected<void> measureAngle(GpuRun& run, const Subject& subject, std::size_t fie
     const State view = fillingView(subject.state, report.angles[angle]);
     std::vector<TimedFrame> frames = {plainQuad(view)};
     for (const SearchSetting& setting : report.plan.settings)
-        frames.push_back({withSetting(view, setting), "color"});
+        frames.push_back({withSetting(view, setting), std::string(timedView(subject.resources))});
     const auto times = frameTimes(
         renderer, subject.resources, frames, report.pictureWidth, report.pictureHeight, options.fast ? 3 : 5, Progress{{}, progress.stop});
     if (!times)

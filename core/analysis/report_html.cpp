@@ -51,7 +51,7 @@ svg circle,svg rect,svg path{fill:var(--c);stroke:var(--paper);stroke-width:.8}
 th,td{padding:3px 7px;text-align:right;border-bottom:1px solid var(--line)}th{font-weight:600;color:var(--soft);vertical-align:bottom}
 th:first-child,td:first-child{text-align:left;white-space:normal;min-width:120px;padding-left:0;position:sticky;left:0;background:var(--paper)}
 th.band{text-align:center;border-bottom:1px solid var(--soft);color:var(--ink)}
-td.first,th.first{padding-left:20px}tr.top td{border-top:1px solid var(--soft)}td.none{background:var(--good)}
+td.first,th.first{padding-left:20px}th.first:first-child{position:static;min-width:0;text-align:right;padding-left:20px;white-space:nowrap}tr.top td{border-top:1px solid var(--soft)}td.none{background:var(--good)}
 details{border-top:1px solid var(--line)}details:last-of-type{border-bottom:1px solid var(--line)}
 summary{cursor:pointer;padding:7px 0;font-weight:600}summary span{font-weight:400;color:var(--soft);margin-left:8px}
 .heats{display:grid;grid-template-columns:repeat(auto-fill,minmax(220px,1fr));gap:20px 16px;margin-top:12px}
@@ -289,7 +289,8 @@ private:
         std::string html = "<h2>Pictures</h2><p>" + picturedText() + "A plane that fills " + std::to_string(m_report.pictureWidth)
             + " \u00d7 " + std::to_string(m_report.pictureHeight) + " pixels, seen at these angles from its normal, drawn by "
             + escaped(m_report.renderer)
-            + ". Time: the search with one colour lookup, as a multiple of the same plane as a plain textured quad; frames interleaved, "
+            + ". Time: the search with one colour lookup (or its depth shown, where there is no colour map), as a multiple of the same "
+              "plane as a plain textured quad; frames interleaved, "
               "median. "
               "FLIP and PSNR: the lit picture against "
             + escaped(m_report.exactLabel) + ".</p>" + m_series.legend(plots);

@@ -141,6 +141,12 @@ TEST(FrameTimes, OnePositiveTimeAFrame)
     EXPECT_GT(times->front(), 0.);
     EXPECT_GT(times->back(), 0.);
     EXPECT_EQ(frames[0].state.panes.front().technique, "flat");
+    EXPECT_EQ(timedView(bench.resources), "color");
+    auto bare = std::make_shared<Material>(*bench.resources.material);
+    bare->maps[std::size_t(MapKind::Color)] = nullptr;
+    Resources withoutColor = bench.resources;
+    withoutColor.material = bare;
+    EXPECT_EQ(timedView(withoutColor), "depth") << "a driver leaves out a search that nothing shows";
     std::stop_source stop;
     stop.request_stop();
     EXPECT_FALSE(frameTimes(bench.renderer, bench.resources, frames, 64, 48, 3, {{}, stop.get_token()}));
