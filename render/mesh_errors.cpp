@@ -29,9 +29,9 @@ Expected<std::vector<float>> exactDistances(
         return tl::unexpected(surface.error());
     if (surface->coarseness() > 1.05f)
         warnings.push_back({"reference-coarse",
-            "The displaced mesh is " + std::to_string(int(std::ceil(surface->coarseness()))) + " times coarser than half a texel or half a pixel: "
-                + std::to_string(surface->triangles()) + " micro-triangles, " + std::to_string(surface->bytes() >> 20)
-                + " MiB. Errors below that size are its own."});
+            "The displaced mesh is " + std::to_string(int(std::ceil(surface->coarseness())))
+                + " times coarser than half a texel or half a pixel: " + std::to_string(surface->triangles()) + " micro-triangles, "
+                + std::to_string(surface->bytes() >> 20) + " MiB. Errors below that size are its own."});
     return distancesSeen(*surface, camera, width, height, progress);
 }
 

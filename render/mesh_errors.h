@@ -14,8 +14,8 @@ struct MeshErrors {
 };
 
 // The State's first pane with its own camera. Full resolution, mip levels off. Needs a current context and a height map.
-Expected<MeshErrors> meshErrors(Renderer& renderer, const State& state, const Resources& resources, const std::vector<float>& exact,
-    int width, int height);
+Expected<MeshErrors> meshErrors(
+    Renderer& renderer, const State& state, const Resources& resources, const std::vector<float>& exact, int width, int height);
 
 // Metres from the eye at each pixel of that picture, from the displaced mesh; infinity where there is nothing.
 Expected<std::vector<float>> exactDistances(

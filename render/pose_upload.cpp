@@ -40,11 +40,9 @@ void PoseUpload::addAttributes(const Mesh& mesh)
     glBindBuffer(GL_ARRAY_BUFFER, *m_influences);
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(influences.size() * sizeof(Influence)), influences.data(), GL_STATIC_DRAW);
     glEnableVertexAttribArray(7);
-    glVertexAttribIPointer(
-        7, 4, GL_UNSIGNED_SHORT, sizeof(Influence), reinterpret_cast<const void*>(offsetof(Influence, joints)));
+    glVertexAttribIPointer(7, 4, GL_UNSIGNED_SHORT, sizeof(Influence), reinterpret_cast<const void*>(offsetof(Influence, joints)));
     glEnableVertexAttribArray(8);
-    glVertexAttribPointer(
-        8, 4, GL_FLOAT, GL_FALSE, sizeof(Influence), reinterpret_cast<const void*>(offsetof(Influence, weights)));
+    glVertexAttribPointer(8, 4, GL_FLOAT, GL_FALSE, sizeof(Influence), reinterpret_cast<const void*>(offsetof(Influence, weights)));
 }
 
 void PoseUpload::uploadTargets(const Mesh& mesh, int curvature)
@@ -77,8 +75,7 @@ void PoseUpload::bind(const LinkedProgram& program, const Mesh& mesh, const Pose
     glActiveTexture(GL_TEXTURE0 + GLenum(unit));
     if (m_curvature != curvature)
         uploadTargets(mesh, curvature);
-    std::vector<glm::vec4> texels = {
-        glm::vec4(float(pose.joints.size()), float(pose.weights.size()), float(mesh.vertices.size()), 0.f)};
+    std::vector<glm::vec4> texels = {glm::vec4(float(pose.joints.size()), float(pose.weights.size()), float(mesh.vertices.size()), 0.f)};
     for (const glm::mat4& joint : pose.joints)
         for (int column = 0; column < 4; ++column)
             texels.push_back(joint[column]);

@@ -47,7 +47,8 @@ ProgramFeatures withoutRelief(ProgramFeatures features)
 {
     features.technique = "flat";
     features.maps.clear();
-    features.curved = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows = features.coarser = features.clamps = false;
+    features.curved = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows = features.coarser
+        = features.clamps = false;
     return features;
 }
 } // namespace
@@ -66,8 +67,8 @@ struct Renderer::Impl {
         std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
             + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "")
             + (features.coarser ? "/mips" : "") + '/' + std::to_string(features.frames) + (features.curved ? "/curved" : "")
-            + (features.borders ? "/borders" : "") + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "") + (features.objectShadows ? "/objects" : "")
-            + (features.posed ? "/posed" : "");
+            + (features.borders ? "/borders" : "") + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "")
+            + (features.objectShadows ? "/objects" : "") + (features.posed ? "/posed" : "");
         for (const MapKind kind : features.maps)
             key += '/' + std::string(row(kind).key);
         return programs.get(
@@ -80,9 +81,9 @@ struct Renderer::Impl {
             posed ? "wireframe/posed" : "wireframe", [&](const ShaderReader& read) { return wireframeProgram(posed, read); }, error);
     }
 
-    // The parts with relief by `features`, the plain ones by what is left of them without. First all faces towards the eye: those behind them
-    // fail the depth test before they are searched. Where the front is cut off, the inside must not show: a closed mesh has no other faces
-    // to draw, and of others what lies behind the front's polygons is hidden (not in a shadow map, whose depth is what counts).
+    // The parts with relief by `features`, the plain ones by what is left of them without. First all faces towards the eye: those behind
+    // them fail the depth test before they are searched. Where the front is cut off, the inside must not show: a closed mesh has no other
+    // faces to draw, and of others what lies behind the front's polygons is hidden (not in a shadow map, whose depth is what counts).
     // use(program, uniforms) makes a program ready.
     template <class Use>
     void drawSurface(const State& state, const ProgramFeatures& features, const Parameters& parameters, const SceneUniforms& uniforms,
@@ -121,8 +122,8 @@ struct Renderer::Impl {
 
     // What the light sees, as deep as the relief is there; sets the uniforms by which it is read.
     template <class Use>
-    void drawShadowMap(const State& state, ProgramFeatures features, const Parameters& parameters, SceneUniforms& uniforms, const Mesh& mesh,
-        const Use& use, std::optional<Error>& error)
+    void drawShadowMap(const State& state, ProgramFeatures features, const Parameters& parameters, SceneUniforms& uniforms,
+        const Mesh& mesh, const Use& use, std::optional<Error>& error)
     {
         features.view = "depth", features.shading = 0, features.shadows = features.softShadows = features.objectShadows = false;
         features.depthOfHit = findTechnique(features.technique)->displaces;

@@ -13,7 +13,8 @@ SceneUniforms lightUniforms(SceneUniforms uniforms, glm::vec3 boundsMin, glm::ve
 {
     const glm::vec3 centre = 0.5f * (boundsMin + boundsMax), light = uniforms.lightDirection;
     const float radius = 0.5f * glm::length(boundsMax - boundsMin) + margin + 1e-6f;
-    const glm::vec3 right = glm::normalize(glm::cross(std::abs(light.y) < 0.9f ? glm::vec3(0.f, 1.f, 0.f) : glm::vec3(1.f, 0.f, 0.f), light));
+    const glm::vec3 right
+        = glm::normalize(glm::cross(std::abs(light.y) < 0.9f ? glm::vec3(0.f, 1.f, 0.f) : glm::vec3(1.f, 0.f, 0.f), light));
     const glm::vec3 up = glm::cross(light, right);
     const glm::mat4 viewFromWorld(glm::vec4(right.x, up.x, light.x, 0.f), glm::vec4(right.y, up.y, light.y, 0.f),
         glm::vec4(right.z, up.z, light.z, 0.f), glm::vec4(-glm::dot(right, centre), -glm::dot(up, centre), -glm::dot(light, centre), 1.f));

@@ -214,7 +214,8 @@ void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload,
 void Uploads::hold(const Resources& resources)
 {
     if (resources.mesh != m_resources.mesh)
-        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(), m_closed.reset(), m_borders.reset(), m_pose = PoseUpload();
+        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(),
+        m_closed.reset(), m_borders.reset(), m_pose = PoseUpload();
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     std::erase_if(m_bounds, [&](const auto& entry) {
@@ -323,8 +324,7 @@ std::vector<glm::vec3> falls(const Mesh& mesh, bool axes)
 {
     const std::vector<Curvature> curvatures = vertexCurvatures(mesh);
     std::vector<glm::vec3> values(curvatures.size());
-    std::ranges::transform(
-        curvatures, values.begin(), [axes](const Curvature& c) { return axes ? glm::vec3(c.axes, 0.f) : c.full; });
+    std::ranges::transform(curvatures, values.begin(), [axes](const Curvature& c) { return axes ? glm::vec3(c.axes, 0.f) : c.full; });
     return values;
 }
 } // namespace

@@ -45,9 +45,8 @@ AnimationBar::AnimationBar(Document& document, Assets& assets, QWidget* parent)
     connect(m_clips, &QComboBox::activated, this, [this](int clip) {
         m_document.edit(tr("Animation"), [clip](State& state) { state.parameters.clip = clip, state.parameters.time = 0.f; });
     });
-    connect(&m_ticks, &QTimer::timeout, this, [this] {
-        setTime(std::fmod(double(m_document.state().parameters.time) + double(m_clock.restart()) / 1000., seconds()));
-    });
+    connect(&m_ticks, &QTimer::timeout, this,
+        [this] { setTime(std::fmod(double(m_document.state().parameters.time) + double(m_clock.restart()) / 1000., seconds())); });
     connect(&assets, &Assets::resourcesChanged, this, &AnimationBar::refresh);
     connect(&document, &Document::changed, this, [this](Changes what) {
         if (what & Change::Parameters)

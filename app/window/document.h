@@ -36,8 +36,8 @@ public:
     const State& state() const { return m_state; }
     QUndoStack& undoStack() { return m_undo; }
 
-    // The only door. A change of nothing but the camera and the moment of an animation is no undo step; any other is one, and inside a gesture all edits with
-    // the same text are one together, or none when they end where they began. `text` names the step in the menu.
+    // The only door. A change of nothing but the camera and the moment of an animation is no undo step; any other is one, and inside a
+    // gesture all edits with the same text are one together, or none when they end where they began. `text` names the step in the menu.
     void edit(const QString& text, const std::function<void(State&)>& change);
     void beginGesture(); // slider or mouse pressed; a gesture may lie in another
     void endGesture(); // released

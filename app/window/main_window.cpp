@@ -55,7 +55,7 @@ MainWindow::MainWindow()
     column->addWidget(m_animation);
     for (QWidget* part : {static_cast<QWidget*>(m_maps), centre, static_cast<QWidget*>(m_parameters)})
         m_splitter->addWidget(part);
-    m_maps->setMinimumWidth(232);
+    m_maps->setMinimumWidth(284); // the row of shapes
     m_parameters->setMinimumWidth(300);
     m_splitter->setStretchFactor(1, 1);
     auto* page = new QWidget;

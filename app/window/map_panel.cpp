@@ -118,17 +118,17 @@ void MapPanel::addMesh(Section& section)
     m_shapes = new Segmented(shapes);
     m_shapes->setObjectName("shapes");
     auto* open = lineButton("mesh", tr("Open a mesh: glTF, OBJ, PLY, STL, OFF"));
-    auto* line = new QHBoxLayout;
-    line->addWidget(m_shapes);
-    line->addStretch(1);
-    line->addWidget(open);
-    section.body()->addLayout(line);
+    section.body()->addWidget(m_shapes);
     m_parts = new QComboBox;
     m_parts->setObjectName("parts");
-    m_parts->setToolTip(tr("Which part of the mesh shows the material, by the materials of its file; the maps that the file has for it are taken"));
+    m_parts->setToolTip(
+        tr("Which part of the mesh shows the material, by the materials of its file; the maps that the file has for it are taken"));
     section.body()->addWidget(m_parts);
     connect(m_parts, &QComboBox::activated, this, [this](int index) { choosePart(m_parts->itemData(index).toString()); });
-    section.body()->addWidget(m_meshFacts = factsLabel());
+    auto* line = new QHBoxLayout;
+    line->addWidget(m_meshFacts = factsLabel(), 1);
+    line->addWidget(open, 0, Qt::AlignTop);
+    section.body()->addLayout(line);
     connect(m_shapes, &Segmented::chosen, this, [this](int index) { setMesh(qt(kShapes[std::size_t(index)])); });
     connect(open, &QToolButton::clicked, this,
         [this] { askForFile(this, tr("Open a mesh"), FileKind::Mesh, [this](const QString& file) { setMesh(file); }); });
@@ -192,12 +192,13 @@ void MapPanel::setMesh(const QString& nameOrFile)
 void MapPanel::choosePart(const QString& material)
 {
     const std::shared_ptr<const Mesh> mesh = m_assets.resources().mesh;
-    m_assets.propose(material.isEmpty() ? tr("All parts") : tr("Part %1").arg(material), [mesh, name = material.toStdString()](State& state) {
-        state.part = name;
-        const auto found = std::ranges::find(mesh->materials, name, &MeshMaterial::name);
-        if (found != mesh->materials.end() && found->maps != MapSlots())
-            state.slots = found->maps;
-    });
+    m_assets.propose(
+        material.isEmpty() ? tr("All parts") : tr("Part %1").arg(material), [mesh, name = material.toStdString()](State& state) {
+            state.part = name;
+            const auto found = std::ranges::find(mesh->materials, name, &MeshMaterial::name);
+            if (found != mesh->materials.end() && found->maps != MapSlots())
+                state.slots = found->maps;
+        });
 }
 
 // The materials that parts of the mesh name, when there is a choice.

@@ -61,7 +61,8 @@ struct Mesh {
 };
 
 // Shapes made by formula, largest size 1 m, centred (design.md section 3).
-inline constexpr std::array<std::string_view, 8> kShapes = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character"};
+inline constexpr std::array<std::string_view, 8> kShapes
+    = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character"};
 
 // nameOrFile: a row of kShapes, or a file: .gltf .glb .obj .ply .stl .off. Errors name the file and the cure; a file without
 // triangles, with broken indices or missing buffers is refused. Finite positions only; bad normals are remade and told.

@@ -309,7 +309,11 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
 
 Expected<ShaderText> meshVertex(bool posed, bool curved, const ShaderReader& read)
 {
-    return Assembly(read).file(posed ? "place_posed.glsl" : "place_rest.glsl").file(curved ? "curved_quadric.glsl" : "curved_none.glsl").file("mesh_vertex.glsl").finish();
+    return Assembly(read)
+        .file(posed ? "place_posed.glsl" : "place_rest.glsl")
+        .file(curved ? "curved_quadric.glsl" : "curved_none.glsl")
+        .file("mesh_vertex.glsl")
+        .finish();
 }
 
 Expected<ProgramText> program(Expected<ShaderText> vertex, Expected<ShaderText> fragment)

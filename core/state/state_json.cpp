@@ -87,8 +87,9 @@ std::string toJson(const State& state, const fs::path& folder)
 {
     const std::string mesh = fs::path(state.mesh).is_absolute() ? relativeTo(folder, state.mesh) : state.mesh;
     const Json json = {{"relievo", kStateVersion}, {"name", state.name}, {"maps", mapsJson(state.slots, folder)},
-        {"parameters", parametersJson(state.parameters)}, {"mesh", mesh}, {"part", state.part}, {"environment", relativeTo(folder, state.environment)},
-        {"camera", cameraJson(state.camera)}, {"view", state.view}, {"panes", panesJson(state.panes)}};
+        {"parameters", parametersJson(state.parameters)}, {"mesh", mesh}, {"part", state.part},
+        {"environment", relativeTo(folder, state.environment)}, {"camera", cameraJson(state.camera)}, {"view", state.view},
+        {"panes", panesJson(state.panes)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -202,8 +202,8 @@ Expected<DisplacedMesh> DisplacedMesh::build(
         tbb::parallel_for(std::size_t(0), cuts.pieces.size(), [&](std::size_t i) {
             if (progress.cancelled())
                 return;
-            cut(base, &mesh.indices[3 * i], reliefs[i], cuts.pieces[i], vertices + 3 * cuts.firstVertex[i], std::uint32_t(cuts.firstVertex[i]),
-                indices + 3 * cuts.firstTriangle[i]);
+            cut(base, &mesh.indices[3 * i], reliefs[i], cuts.pieces[i], vertices + 3 * cuts.firstVertex[i],
+                std::uint32_t(cuts.firstVertex[i]), indices + 3 * cuts.firstTriangle[i]);
             if (++done % 256 == 0)
                 progress.at(0.5f * float(done) / float(cuts.pieces.size()));
         });
@@ -236,7 +236,8 @@ float DisplacedMesh::distance(glm::vec3 origin, glm::vec3 direction) const
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit ray{};
-    ray.ray = {origin.x, origin.y, origin.z, 0.f, direction.x, direction.y, direction.z, 0.f, std::numeric_limits<float>::infinity(), ~0u, 0, 0};
+    ray.ray = {
+        origin.x, origin.y, origin.z, 0.f, direction.x, direction.y, direction.z, 0.f, std::numeric_limits<float>::infinity(), ~0u, 0, 0};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(m->scene, &context, &ray);
     return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity() : ray.ray.tfar;

@@ -13,8 +13,8 @@
 
 namespace relievo {
 
-// Every point of the mesh, pushed out for the midlevel, then moved in along the interpolated unit normal by the relief's depth there (none on plain parts)
-// (height field bilinear; design.md section 3). Its triangles are cut into micro-triangles of half a texel.
+// Every point of the mesh, pushed out for the midlevel, then moved in along the interpolated unit normal by the relief's depth there (none
+// on plain parts) (height field bilinear; design.md section 3). Its triangles are cut into micro-triangles of half a texel.
 class DisplacedMesh {
 public:
     struct Detail {

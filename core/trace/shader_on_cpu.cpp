@@ -57,7 +57,10 @@ struct Machine : Parameters {
         return {c.h00, c.h10, c.h01, c.h11};
     }
 
-    vec4 boundScale() const { return boundMap->scales.front(); }
+    vec4 boundScale() const
+    {
+        return boundMap->scales.front();
+    }
     float boundTexel(ivec2 texel) const
     {
         bytes += boundBytes;
@@ -184,7 +187,8 @@ SearchHit searched(Search search, const Parameters& parameters, const SearchMaps
 {
     if (!finite(ray))
         return {};
-    const auto [hit, bytes] = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec2(ray.bend));
+    const auto [hit, bytes]
+        = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec2(ray.bend));
     return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches, bytes};
 }
 

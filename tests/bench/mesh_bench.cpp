@@ -1,7 +1,6 @@
-// Relief on meshes against the displaced mesh: outline and depth, without silhouettes, with the papers' curvature and with the whole quadric;
-// and what each switch costs. mesh_bench [DEPTH] [MESH...]
-// SPDX-FileCopyrightText: The Relievo authors
-// SPDX-License-Identifier: GPL-3.0-or-later
+// Relief on meshes against the displaced mesh: outline and depth, without silhouettes, with the papers' curvature and with the whole
+// quadric; and what each switch costs. mesh_bench [DEPTH] [MESH...] SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier:
+// GPL-3.0-or-later
 #include "render/frame_time.h"
 #include "render/mesh_errors.h"
 #include <cstdio>
@@ -54,8 +53,8 @@ int measure(Renderer& renderer, const std::string& mesh, float depth)
             invalid += errors->invalid;
         }
     }
-    std::printf("| %s | %.2f %% / %.1f px | %.2f %% / %.1f px | %.2f %% / %.1f px | %.2f |\n", resources->mesh->name.c_str(), 100. * coverage[0],
-        depths[0], 100. * coverage[1], depths[1], 100. * coverage[2], depths[2], coverage[2] / coverage[0]);
+    std::printf("| %s | %.2f %% / %.1f px | %.2f %% / %.1f px | %.2f %% / %.1f px | %.2f |\n", resources->mesh->name.c_str(),
+        100. * coverage[0], depths[0], 100. * coverage[1], depths[1], 100. * coverage[2], depths[2], coverage[2] / coverage[0]);
     if (invalid > 0.)
         std::printf("%g pixels are no numbers\n", invalid);
     for (const Warning& warning : warnings) {
@@ -112,8 +111,8 @@ int main(int argc, char** argv)
     std::vector<std::string> meshes(argv + std::min(argc, 2), argv + argc);
     if (meshes.empty())
         meshes = {"sphere", "torus", "cylinder", "plane", "box", "teapot"};
-    std::printf("Depth %g, %dx%d, %zu views\n| mesh | no silhouettes | axes | quadric | quadric / none |\n|---|---|---|---|---|\n", double(depth),
-        kWidth, kHeight, std::size(kViews));
+    std::printf("Depth %g, %dx%d, %zu views\n| mesh | no silhouettes | axes | quadric | quadric / none |\n|---|---|---|---|---|\n",
+        double(depth), kWidth, kHeight, std::size(kViews));
     for (const std::string& mesh : meshes)
         if (const int failed = measure(renderer, mesh, depth); failed != 0)
             return failed;

@@ -48,11 +48,13 @@ HeightField noise(std::mt19937& random, bool smooth)
     const int size = 5 + int(random() % 20);
     std::vector<float> heights;
     for (int i = 0; i < size * size; ++i)
-        heights.push_back(smooth ? 0.4f + 0.3f * std::sin(float(i % size) * 0.8f) * std::cos(float(i / size) * 0.5f) : unit(random) * 0.98f);
+        heights.push_back(
+            smooth ? 0.4f + 0.3f * std::sin(float(i % size) * 0.8f) * std::cos(float(i / size) * 0.5f) : unit(random) * 0.98f);
     return {size, size, heights, random() % 4 ? Wrap::Repeat : Wrap::Clamp, 32};
 }
 
-// As sight_curved.glsl bends a ray of sight over a surface whose fall is k t^2: convex rays that leave, rays that come to the floor, hollows.
+// As sight_curved.glsl bends a ray of sight over a surface whose fall is k t^2: convex rays that leave, rays that come to the floor,
+// hollows.
 SearchRay bentRay(std::mt19937& random)
 {
     std::uniform_real_distribution<double> unit(-1., 1.);

@@ -93,7 +93,8 @@ TEST(Deforming, TheGpuPosesAsTheCpuDoes)
                 << mesh << " at " << share;
             State deep = state; // the linear part of the skin is not the whole Jacobian where it bends
             deep.panes = {Pane{"cell-cone", {}}};
-            EXPECT_LT(differing(picture(renderer, deep, resources, "position"), picture(second, deep, still, "position"), 0.01f * size), 0.12)
+            EXPECT_LT(
+                differing(picture(renderer, deep, resources, "position"), picture(second, deep, still, "position"), 0.01f * size), 0.12)
                 << mesh << " at " << share;
             if (share == 0.f)
                 first = moved;
@@ -222,7 +223,8 @@ TEST(Invalid, NoPixelIsNoNumber)
     ASSERT_TRUE(context);
     Renderer renderer;
     std::vector<std::string> meshes = {"sphere", "box", "spheres", "teapot", "character"};
-    for (const char* file : {"spot.obj", "bunny.ply", "NormalTangentMirrorTest.glb", "TextureCoordinateTest.glb", "obj_quirks/deg_faces.obj"})
+    for (const char* file :
+        {"spot.obj", "bunny.ply", "NormalTangentMirrorTest.glb", "TextureCoordinateTest.glb", "obj_quirks/deg_faces.obj"})
         if (fs::exists(kMeshes / file))
             meshes.push_back((kMeshes / file).string());
     for (const std::string& mesh : meshes)

@@ -1,0 +1,57 @@
+// Meshes in the window: the animation bar and the choice of a part, driven by real events.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/animation_bar.h"
+#include "tests/app/window_support.h"
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QToolButton>
+
+using namespace relievo;
+
+TEST_F(WindowTest, AnimationPlaysPausesAndScrubsWithoutUndoSteps)
+{
+    AnimationBar& bar = window.animation();
+    EXPECT_TRUE(bar.isHidden());
+    window.maps().setMesh("character");
+    ASSERT_TRUE(waitFor([&] { return !bar.isHidden(); }));
+    const int before = steps();
+    auto* play = bar.findChild<QToolButton*>("play");
+    play->click();
+    ASSERT_TRUE(waitFor([&] { return state().parameters.time > 0.05f; }));
+    play->click();
+    EXPECT_FALSE(bar.isPlaying());
+    auto* slider = bar.findChild<Slider*>("time");
+    const float paused = state().parameters.time;
+    const QPoint from = slider->handle();
+    drag(*slider, {from, from + QPoint(60, 0)});
+    EXPECT_NE(state().parameters.time, paused);
+    EXPECT_EQ(steps(), before);
+    EXPECT_NE(bar.findChild<QLabel*>()->text().indexOf("1.20 s"), -1);
+    window.maps().setMesh("plane");
+    ASSERT_TRUE(waitFor([&] { return bar.isHidden(); }));
+}
+
+TEST_F(WindowTest, APartOfAMeshTakesItsOwnMaps)
+{
+    const auto write = [&](const char* name, const QByteArray& text) {
+        QFile file(folder.filePath(name));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    };
+    ASSERT_TRUE(window.viewport().picture().scaled(8, 8).save(folder.filePath("wood.png")));
+    write("m.mtl", "newmtl wood\nmap_Kd wood.png\nnewmtl iron\nKd 1 1 1\n");
+    write("m.obj",
+        "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nusemtl wood\nf 1/1 2/2 3/3\nusemtl iron\nf 2/2 "
+        "4/4 3/3\n");
+    window.maps().setMesh(folder.filePath("m.obj"));
+    auto* parts = window.maps().findChild<QComboBox*>("parts");
+    ASSERT_TRUE(waitFor([&] { return parts->count() == 3; }));
+    EXPECT_FALSE(parts->isHidden());
+    window.maps().choosePart("wood");
+    ASSERT_TRUE(waitFor([&] { return state().part == "wood"; }));
+    EXPECT_NE(state().slots[std::size_t(MapKind::Color)].file.find("wood.png"), std::string::npos);
+    window.action("undo")->trigger();
+    EXPECT_EQ(state().part, "");
+}
