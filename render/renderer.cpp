@@ -6,6 +6,7 @@
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
+#include "render/clear_target.h"
 #include "render/program_cache.h"
 #include "render/shadow_map.h"
 #include "render/uploads.h"
@@ -20,13 +21,6 @@
 namespace relievo {
 
 namespace {
-
-constexpr float kPlainBackground[] = {0.0331f, 0.0331f, 0.0331f}; // linear; sRGB 51 of 255
-
-float srgb(float linear)
-{
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.f / 2.4f) - 0.055f;
-}
 
 std::set<MapKind> presentMaps(const Material& material)
 {
@@ -149,32 +143,6 @@ int Renderer::textureCount() const
 namespace {
 
 constexpr int kShadowUnit = 13; // texture unit beyond those that the material's maps take
-
-void bindTarget(const Target& target)
-{
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    glViewport(0, 0, target.width, target.height);
-}
-
-void clearTarget(const Parameters& parameters, const Target& target, bool heat)
-{
-    bindTarget(target);
-    glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS); // else the edges of the small levels show
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const bool transparent = parameters.background == 2 || (target.linear && heat);
-    float color[4] = {0.f, 0.f, 0.f, transparent ? 0.f : 1.f};
-    for (int i = 0; i < 3 && !transparent; ++i)
-        color[i] = target.linear ? kPlainBackground[i] : srgb(kPlainBackground[i]);
-    glClearColor(color[0], color[1], color[2], color[3]);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
 
 // A map larger than the driver takes would be drawn black, without a word.
 Expected<void> fitTheDriver(const Material& material)

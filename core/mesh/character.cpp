@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/character.h"
 #include "core/mesh/pose.h"
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -84,16 +86,23 @@ Influence influenceOf(const Limb& limb, float y)
 
 void addLimb(Mesh& mesh, std::vector<Influence>& influences, const Limb& limb)
 {
-    constexpr unsigned kColumns = 24, kRows = 28;
+    constexpr unsigned kColumns = 32, kRows = 64;
     const auto first = std::uint32_t(mesh.vertices.size());
-    const float tile = 2.f * kPi * limb.radius[1] * 0.5f * (1.f + limb.flat) / limb.tilesAround; // m
-    const float tiles = glm::length(limb.bottom - limb.top) / tile;
-    for (unsigned j = 0; j <= kRows; ++j)
+    // v grows with the way down over the tube's girth there, so that texels are square; not at the ends, where the girth is nothing.
+    const float least = 0.35f * limb.radius[1];
+    float v = 0.f;
+    for (unsigned j = 0; j <= kRows; ++j) {
+        if (j > 0) {
+            const float before = float(j - 1) / float(kRows), here = float(j) / float(kRows), middle = 0.5f * (before + here);
+            const float girth = 0.5f * (1.f + limb.flat) * 0.5f * glm::distance(pointOf(limb, 0.25f, middle), pointOf(limb, 0.75f, middle));
+            v += glm::distance(pointOf(limb, 0.25f, before), pointOf(limb, 0.25f, here)) * limb.tilesAround
+                / (2.f * kPi * std::max(girth, least));
+        }
         for (unsigned i = 0; i <= kColumns; ++i) {
             const float s = float(i) / float(kColumns), t = float(j) / float(kRows);
             const bool pole = j == 0 || j == kRows;
             const glm::vec3 position = pointOf(limb, s, t);
-            const float u = s + (pole ? 0.5f / float(kColumns) : 0.f), v = tiles * (0.5f - 0.5f * std::cos(kPi * t));
+            const float u = s + (pole ? 0.5f / float(kColumns) : 0.f);
             mesh.vertices.push_back({.position = position,
                 .normal = normalOf(limb, s, t),
                 .uv = {limb.tilesAround * u, v},
@@ -102,6 +111,7 @@ void addLimb(Mesh& mesh, std::vector<Influence>& influences, const Limb& limb)
                 .dPdv = {}});
             influences.push_back(influenceOf(limb, position.y));
         }
+    }
     for (unsigned j = 0; j < kRows; ++j)
         for (unsigned i = 0; i < kColumns; ++i) { // at an end one of the two is a line
             const std::uint32_t a = first + j * (kColumns + 1) + i, b = a + kColumns + 1;
@@ -128,7 +138,8 @@ AnimationChannel swingOf(int node, const float (&swing)[4])
     return channel;
 }
 
-std::shared_ptr<const Deformation> walk(std::vector<Influence> influences)
+// centre: of the mesh, which is where the figure is moved away from.
+std::shared_ptr<const Deformation> walk(std::vector<Influence> influences, glm::vec3 centre)
 {
     auto deformation = std::make_shared<Deformation>();
     deformation->influences = std::move(influences);
@@ -138,9 +149,9 @@ std::shared_ptr<const Deformation> walk(std::vector<Influence> influences)
         const BoneRow& row = kBones[bone];
         PoseNode node;
         node.parent = row.parent;
-        node.translation = row.at - (row.parent >= 0 ? kBones[row.parent].at : glm::vec3(0.f));
+        node.translation = row.at - (row.parent >= 0 ? kBones[row.parent].at : centre);
         deformation->nodes.push_back(node);
-        deformation->joints.push_back({bone, glm::translate(glm::mat4(1.f), -row.at)});
+        deformation->joints.push_back({bone, glm::translate(glm::mat4(1.f), centre - row.at)});
         clip.channels.push_back(swingOf(bone, row.swing));
     }
     deformation->clips.push_back(std::move(clip));
@@ -153,7 +164,13 @@ void makeCharacter(Mesh& mesh)
     std::vector<Influence> influences;
     for (const Limb& limb : kLimbs)
         addLimb(mesh, influences, limb);
-    mesh.deformation = walk(std::move(influences));
+    glm::vec3 low = mesh.vertices.front().position, high = low;
+    for (const Vertex& vertex : mesh.vertices)
+        low = glm::min(low, vertex.position), high = glm::max(high, vertex.position);
+    const glm::vec3 centre = 0.5f * (low + high);
+    for (Vertex& vertex : mesh.vertices)
+        vertex.position -= centre;
+    mesh.deformation = walk(std::move(influences), centre);
 }
 
 } // namespace relievo

@@ -117,7 +117,7 @@ Strip climbing(const std::string& interpolation, std::vector<float> times, std::
 TEST(MeshPose, MeshesThatDoNotMoveHaveNoDeformation)
 {
     for (const std::string_view shape : kShapes)
-        EXPECT_EQ(openMesh(std::string(shape))->deformation, nullptr);
+        EXPECT_EQ(openMesh(std::string(shape))->deformation != nullptr, shape == "character") << shape;
     const Mesh mesh = *openMesh("box");
     EXPECT_TRUE(bindPose(mesh).joints.empty());
     EXPECT_TRUE(poseAt(mesh, 0, 1.f).joints.empty());
