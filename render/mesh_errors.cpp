@@ -22,7 +22,9 @@ Expected<std::vector<float>> exactDistances(
         return failure(state.name, "there is no height map, so nothing is displaced", "Assign one");
     const Parameters parameters = effectiveParameters(state, 0);
     const CameraView camera = viewOf(state, resources, width, height);
-    const Mesh mesh = posed(*resources.mesh, poseOf(*resources.mesh, parameters));
+    Mesh mesh = posed(*resources.mesh, poseOf(*resources.mesh, parameters));
+    for (MeshPart& part : mesh.parts)
+        part.relief = isPlain(*resources.mesh, part, state.part) ? 0.f : part.relief;
     const auto surface = DisplacedMesh::build(mesh, resources.material->height->withWrap(wrapOf(parameters)), parameters,
         DisplacedMesh::detailFor(*resources.mesh, camera, state.camera.fov, height), progress);
     if (!surface)

@@ -3,35 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pose_upload.h"
 #include "core/mesh/curvature.h"
+#include "render/texture_units.h"
 #include <cstddef>
 #include <cstring>
 #include <glm/vec4.hpp>
 #include <vector>
 
 namespace relievo {
-
-namespace {
-// A buffer texture of four floats a texel.
-void fill(Buffer& buffer, Texture& texture, const std::vector<glm::vec4>& texels, GLenum usage)
-{
-    const bool made = bool(texture);
-    if (!made)
-        buffer = newBuffer(), texture = newTexture();
-    glBindBuffer(GL_TEXTURE_BUFFER, *buffer);
-    glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(), usage);
-    glBindTexture(GL_TEXTURE_BUFFER, *texture);
-    if (!made)
-        glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, *buffer);
-}
-
-std::vector<glm::vec3> fallsOf(const Mesh& mesh, int curvature)
-{
-    std::vector<glm::vec3> falls;
-    for (const Curvature& c : vertexCurvatures(mesh))
-        falls.push_back(curvature == 1 ? glm::vec3(c.axes, 0.f) : c.full);
-    return falls;
-}
-} // namespace
 
 void PoseUpload::addAttributes(const Mesh& mesh)
 {
@@ -51,13 +29,13 @@ void PoseUpload::uploadTargets(const Mesh& mesh, int curvature)
     const std::vector<MorphTarget>& targets = mesh.deformation->targets;
     const std::size_t count = mesh.vertices.size();
     std::vector<glm::vec4> texels(std::max<std::size_t>(4 * count * targets.size(), 1), glm::vec4(0.f));
-    const std::vector<glm::vec3> rest = curvature != 0 && !targets.empty() ? fallsOf(mesh, curvature) : std::vector<glm::vec3>{};
+    const std::vector<glm::vec3> rest = curvature != 0 && !targets.empty() ? vertexFalls(mesh, curvature == 1) : std::vector<glm::vec3>{};
     for (std::size_t t = 0; t < targets.size(); ++t) {
         std::vector<glm::vec3> moved;
         if (curvature != 0) {
             Pose pose = bindPose(mesh);
             pose.weights[t] = 1.f;
-            moved = fallsOf(posed(mesh, pose), curvature);
+            moved = vertexFalls(posed(mesh, pose), curvature == 1);
         }
         for (std::size_t i = 0; i < count; ++i) {
             glm::vec4* out = &texels[4 * (t * count + i)];
@@ -66,13 +44,13 @@ void PoseUpload::uploadTargets(const Mesh& mesh, int curvature)
                 out[3] = glm::vec4(moved[i] - rest[i], 0.f);
         }
     }
-    fill(m_morphBuffer, m_morph, texels, GL_STATIC_DRAW);
+    m_morph.fill(texels, GL_STATIC_DRAW);
     m_curvature = curvature;
 }
 
-void PoseUpload::bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, int curvature, int unit)
+void PoseUpload::bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, int curvature)
 {
-    glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+    glActiveTexture(GL_TEXTURE0 + kPoseUnit);
     if (m_curvature != curvature)
         uploadTargets(mesh, curvature);
     std::vector<glm::vec4> texels = {glm::vec4(float(pose.joints.size()), float(pose.weights.size()), float(mesh.vertices.size()), 0.f)};
@@ -81,9 +59,9 @@ void PoseUpload::bind(const LinkedProgram& program, const Mesh& mesh, const Pose
             texels.push_back(joint[column]);
     for (const float weight : pose.weights)
         texels.emplace_back(weight, 0.f, 0.f, 0.f);
-    fill(m_poseBuffer, m_pose, texels, GL_STREAM_DRAW);
-    program.bind("poseMap", GL_TEXTURE_BUFFER, *m_pose, unit);
-    program.bind("morphMap", GL_TEXTURE_BUFFER, *m_morph, unit + 1);
+    m_pose.fill(texels, GL_STREAM_DRAW);
+    program.bind("poseMap", GL_TEXTURE_BUFFER, m_pose.texture(), kPoseUnit);
+    program.bind("morphMap", GL_TEXTURE_BUFFER, m_morph.texture(), kMorphUnit);
 }
 
 } // namespace relievo

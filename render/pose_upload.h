@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/mesh/pose.h"
-#include "render/gl_objects.h"
+#include "render/buffer_texture.h"
 #include "render/program.h"
 
 namespace relievo {
@@ -14,13 +14,13 @@ public:
     void addAttributes(const Mesh& mesh);
     // Binds poseMap and morphMap for a program that reads them (place_posed.glsl). curvature: the parameter `silhouettes`; 0 leaves what
     // morph targets do to the curvature out.
-    void bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, int curvature, int unit);
+    void bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, int curvature);
 
 private:
     void uploadTargets(const Mesh& mesh, int curvature);
 
-    Buffer m_influences, m_poseBuffer, m_morphBuffer;
-    Texture m_pose, m_morph;
+    Buffer m_influences;
+    BufferTexture m_pose, m_morph;
     int m_curvature = -1; // in m_morph; -1: nothing is
 };
 

@@ -37,15 +37,16 @@ bool ProgramCache::changed() const
     return m_folder && newestIn(*m_folder) != m_seen;
 }
 
-void ProgramCache::reload()
+bool ProgramCache::reload()
 {
     if (!changed())
-        return;
+        return false;
     m_seen = newestIn(*m_folder);
     for (auto& [features, entry] : m_entries)
         if (entry.program)
             m_older[features] = std::move(entry);
     m_entries.clear();
+    return true;
 }
 
 const LinkedProgram* ProgramCache::get(

@@ -17,8 +17,9 @@ public:
 
     // Whether files of the shader folder changed since reload().
     bool changed() const;
-    // Forgets what was linked from older files; the last good program of each kind is kept for when the new text is broken.
-    void reload();
+    // Forgets what was linked from files that changed since, and says whether there were any; the last good program of each kind is kept
+    // for when the new text is broken.
+    bool reload();
 
     // The program for `features`. When it does not link, `error` is set and the last one
     // of the same features that did is returned, or nothing. A text that does not link is tried once, not at every picture.

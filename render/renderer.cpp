@@ -7,8 +7,10 @@
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include "render/clear_target.h"
+#include "render/mesh_upload.h"
 #include "render/program_cache.h"
 #include "render/shadow_map.h"
+#include "render/texture_units.h"
 #include "render/uploads.h"
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace relievo {
@@ -33,9 +36,6 @@ std::set<MapKind> presentMaps(const Material& material)
     return maps;
 }
 
-} // namespace
-
-namespace {
 // Of parts that the material is not on: grey, smooth, where they are.
 ProgramFeatures withoutRelief(ProgramFeatures features)
 {
@@ -49,8 +49,10 @@ ProgramFeatures withoutRelief(ProgramFeatures features)
 
 struct Renderer::Impl {
     Uploads uploads;
+    MeshUpload mesh;
     std::map<std::string, Resources::Bound, std::less<>> bounds; // made here
     ProgramCache programs;
+    std::map<ProgramFeatures, std::string> programNames;
     ShadowMap shadowMap;
     VertexArray noVertices;
     Framebuffer measuring;
@@ -58,15 +60,9 @@ struct Renderer::Impl {
 
     const LinkedProgram* meshProgramFor(const ProgramFeatures& features, std::optional<Error>& error)
     {
-        std::string key = features.technique + '/' + features.view + '/' + std::to_string(features.shading)
-            + (features.shadows ? "/shadows" : "") + (features.softShadows ? "/soft" : "") + (features.linear ? "/linear" : "")
-            + (features.coarser ? "/mips" : "") + '/' + std::to_string(features.frames) + (features.curved ? "/curved" : "")
-            + (features.borders ? "/borders" : "") + (features.depthOfHit ? "/depth" : "") + (features.faded ? "/faded" : "")
-            + (features.objectShadows ? "/objects" : "") + (features.posed ? "/posed" : "");
-        for (const MapKind kind : features.maps)
-            key += '/' + std::string(row(kind).key);
+        const auto [name, isNew] = programNames.try_emplace(features, "mesh " + std::to_string(programNames.size()));
         return programs.get(
-            key, [&](const ShaderReader& read) { return meshProgram(features, read); }, error);
+            name->second, [&](const ShaderReader& read) { return meshProgram(features, read); }, error);
     }
 
     const LinkedProgram* polygonProgramFor(bool posed, std::optional<Error>& error)
@@ -83,33 +79,36 @@ struct Renderer::Impl {
     void drawSurface(const State& state, const ProgramFeatures& features, const Parameters& parameters, const SceneUniforms& uniforms,
         bool intoShadowMap, const Use& use, std::optional<Error>& error)
     {
-        const auto draw = [&](Uploads::Parts parts, bool polygons) {
-            const bool plain = parts == Uploads::Parts::Plain;
-            if (!uploads.hasParts(parts, state.part))
+        const LinkedProgram* ready = nullptr; // for the parts `readyFor`
+        MeshUpload::Parts readyFor = MeshUpload::Parts::Relief;
+        const auto draw = [&](MeshUpload::Parts parts, bool polygons) {
+            const bool plain = parts == MeshUpload::Parts::Plain;
+            if (!mesh.has(parts, state.part))
                 return;
             const ProgramFeatures used = plain ? withoutRelief(features) : features;
             SceneUniforms values = uniforms;
             if (plain)
                 values.reliefDepth = values.pushOut = 0.f;
             if (const LinkedProgram* program = polygons ? polygonProgramFor(used.posed, error) : meshProgramFor(used, error)) {
-                use(*program, values);
-                uploads.drawMesh(*program, parts, state.part, values.pushOut != 0.f, used.curved && !polygons ? parameters.silhouettes : 0);
+                if (program != std::exchange(ready, program) || parts != std::exchange(readyFor, parts))
+                    use(*program, values);
+                mesh.draw(*program, parts, state.part, values.pushOut != 0.f, used.curved && !polygons ? parameters.silhouettes : 0);
             }
         };
         const auto drawAll = [&](bool polygons) {
-            draw(Uploads::Parts::Relief, polygons);
-            draw(Uploads::Parts::Plain, polygons);
+            draw(MeshUpload::Parts::Relief, polygons);
+            draw(MeshUpload::Parts::Plain, polygons);
         };
         glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
         drawAll(false);
-        if (features.curved && !intoShadowMap && !uploads.meshIsClosed()) {
+        if (features.curved && !intoShadowMap && !mesh.isClosed()) {
             glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
             drawAll(true);
             glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         }
         glCullFace(GL_FRONT);
-        if (!features.curved || !uploads.meshIsClosed())
+        if (!features.curved || !mesh.isClosed())
             drawAll(false);
         glDisable(GL_CULL_FACE);
     }
@@ -117,12 +116,15 @@ struct Renderer::Impl {
     // What the light sees, as deep as the relief is there; sets the uniforms by which it is read.
     template <class Use>
     void drawShadowMap(const State& state, ProgramFeatures features, const Parameters& parameters, SceneUniforms& uniforms,
-        const Mesh& mesh, const Use& use, std::optional<Error>& error)
+        const Resources& resources, const Use& use, std::optional<Error>& error)
     {
         features.view = "depth", features.shading = 0, features.shadows = features.softShadows = features.objectShadows = false;
-        features.depthOfHit = findTechnique(features.technique)->displaces;
-        const SceneUniforms light = lightUniforms(uniforms, mesh.boundsMin, mesh.boundsMax, uniforms.pushOut);
-        shadowMap.draw(parameters.shadowMapSize, [&] { drawSurface(state, features, parameters, light, true, use, error); });
+        const SceneUniforms light = lightUniforms(uniforms, resources.mesh->boundsMin, resources.mesh->boundsMax, uniforms.pushOut);
+        const TechniqueRow& technique = *findTechnique(features.technique);
+        features.depthOfHit = technique.displaces;
+        const ShadowCause cause{
+            parameters, features.technique, state.part, resources.mesh, resources.material, boundFor(resources, technique, parameters)};
+        shadowMap.draw(cause, [&] { drawSurface(state, features, parameters, light, true, use, error); });
         uniforms.shadowFromWorld = light.clipFromWorld;
         const glm::mat4& clip = light.clipFromWorld;
         uniforms.shadowTexel = 2.f / (glm::length(glm::vec3(clip[0][0], clip[1][0], clip[2][0])) * float(parameters.shadowMapSize));
@@ -141,8 +143,6 @@ int Renderer::textureCount() const
 }
 
 namespace {
-
-constexpr int kShadowUnit = 13; // texture unit beyond those that the material's maps take
 
 // A map larger than the driver takes would be drawn black, without a word.
 Expected<void> fitTheDriver(const Material& material)
@@ -208,8 +208,10 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
 
     if (const auto fits = fitTheDriver(*resources.material); !fits)
         return fits;
-    m->programs.reload();
+    if (m->programs.reload())
+        m->shadowMap.forget();
     m->uploads.hold(used);
+    m->mesh.hold(resources.mesh);
     std::optional<Error> error;
     const Wrap wrap = wrapOf(parameters);
     const auto use = [&](const LinkedProgram& program, const SceneUniforms& values) {
@@ -217,15 +219,15 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         program.set(parameters);
         program.set(values);
         m->uploads.bindMaps(program, wrap, technique->bound, bound);
-        m->uploads.bindPose(program, parameters);
+        m->mesh.bind(program, parameters);
         if (program.reads("shadowMap"))
             program.bind("shadowMap", GL_TEXTURE_2D, m->shadowMap.texture(), kShadowUnit);
     };
     ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
     features.posed = bool(mesh.deformation);
-    features.borders = features.curved && m->uploads.meshHasBorders();
+    features.borders = features.curved && m->mesh.hasBorders();
     if (features.objectShadows) {
-        m->drawShadowMap(state, features, parameters, uniforms, mesh, use, error);
+        m->drawShadowMap(state, features, parameters, uniforms, used, use, error);
         bindTarget(target);
     }
     m->drawSurface(state, features, parameters, uniforms, false, use, error);
@@ -238,8 +240,8 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
             glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); // alpha stays the mesh's
             glEnable(GL_POLYGON_OFFSET_LINE);
             glPolygonOffset(-1.f, -1.f);
-            for (const Uploads::Parts parts : {Uploads::Parts::Relief, Uploads::Parts::Plain})
-                m->uploads.drawMesh(*lines, parts, state.part, uniforms.pushOut != 0.f, 0);
+            for (const MeshUpload::Parts parts : {MeshUpload::Parts::Relief, MeshUpload::Parts::Plain})
+                m->mesh.draw(*lines, parts, state.part, uniforms.pushOut != 0.f, 0);
             glDisable(GL_POLYGON_OFFSET_LINE);
             glDisable(GL_BLEND);
             glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

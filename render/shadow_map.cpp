@@ -24,8 +24,12 @@ SceneUniforms lightUniforms(SceneUniforms uniforms, glm::vec3 boundsMin, glm::ve
     return uniforms;
 }
 
-void ShadowMap::draw(int size, const std::function<void()>& draw)
+void ShadowMap::draw(const ShadowCause& cause, const std::function<void()>& draw)
 {
+    if (m_cause == cause)
+        return;
+    m_cause = cause;
+    const int size = cause.parameters.shadowMapSize;
     if (!m_framebuffer) {
         GLuint name = 0;
         glGenFramebuffers(1, &name);

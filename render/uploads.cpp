@@ -3,9 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/uploads.h"
 #include "core/maps/normal.h"
-#include "core/mesh/closed.h"
-#include "core/mesh/curvature.h"
-#include "core/mesh/push.h"
+#include "render/texture_units.h"
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,9 +14,6 @@
 namespace relievo {
 
 namespace {
-
-constexpr int kPoseUnit = 11; // and the next one: beyond those that maps take
-constexpr GLenum kUploadUnit = 15; // no program reads it: an upload must not take the place of a map that is bound already
 
 // minification: GL_LINEAR_MIPMAP_LINEAR where a step between mip levels would show (colours, normals), GL_LINEAR_MIPMAP_NEAREST at half
 // the cost where it does not (scalar maps) or where levels must not mix (heights), GL_LINEAR without mip levels.
@@ -213,9 +208,6 @@ void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload,
 
 void Uploads::hold(const Resources& resources)
 {
-    if (resources.mesh != m_resources.mesh)
-        m_vertexArray = VertexArray(), m_vertices = Buffer(), m_indices = Buffer(), m_push = Buffer(), m_curvature = Buffer(),
-        m_closed.reset(), m_borders.reset(), m_pose = PoseUpload();
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     std::erase_if(m_bounds, [&](const auto& entry) {
@@ -302,109 +294,8 @@ void Uploads::bindMaps(
         glActiveTexture(GL_TEXTURE0 + kUploadUnit);
         if (!m_environment)
             m_environment = uploadEnvironment(*m_resources.environment);
-        program.bind("environmentMap", GL_TEXTURE_CUBE_MAP, *m_environment, unit++);
+        program.bind("environmentMap", GL_TEXTURE_CUBE_MAP, *m_environment, unit);
     }
-    if (m_borders)
-        program.bind("borderMap", GL_TEXTURE_BUFFER, *m_borders->texture, unit);
-}
-
-namespace {
-// A buffer of one vector a vertex for attribute `location` of the vertex array that is bound.
-Buffer vectorAttribute(GLuint location, std::span<const glm::vec3> values)
-{
-    Buffer buffer = newBuffer();
-    glBindBuffer(GL_ARRAY_BUFFER, *buffer);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(values.size_bytes()), values.data(), GL_STATIC_DRAW);
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-    return buffer;
-}
-
-std::vector<glm::vec3> falls(const Mesh& mesh, bool axes)
-{
-    const std::vector<Curvature> curvatures = vertexCurvatures(mesh);
-    std::vector<glm::vec3> values(curvatures.size());
-    std::ranges::transform(curvatures, values.begin(), [axes](const Curvature& c) { return axes ? glm::vec3(c.axes, 0.f) : c.full; });
-    return values;
-}
-} // namespace
-
-void Uploads::bindPose(const LinkedProgram& program, const Parameters& parameters)
-{
-    const Mesh& mesh = *m_resources.mesh;
-    if (mesh.deformation && program.reads("poseMap"))
-        m_pose.bind(program, mesh, poseOf(mesh, parameters), parameters.silhouettes, kPoseUnit);
-}
-
-bool Uploads::meshIsClosed()
-{
-    if (!m_closed)
-        m_closed = isClosed(*m_resources.mesh);
-    return *m_closed;
-}
-
-bool Uploads::meshHasBorders()
-{
-    if (!m_borders) {
-        glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-        m_borders = uploadBorders(*m_resources.mesh);
-    }
-    return bool(m_borders->texture);
-}
-
-namespace {
-bool isIn(const MeshPart& part, Uploads::Parts parts, std::string_view chosen)
-{
-    const bool plain = part.relief == 0.f || (!chosen.empty() && part.material != chosen);
-    return plain == (parts == Uploads::Parts::Plain);
-}
-} // namespace
-
-bool Uploads::hasParts(Parts parts, std::string_view part) const
-{
-    return std::ranges::any_of(m_resources.mesh->parts, [&](const MeshPart& each) { return isIn(each, parts, part); });
-}
-
-void Uploads::drawMesh(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature)
-{
-    const Mesh& mesh = *m_resources.mesh;
-    if (!m_vertexArray) {
-        m_vertexArray = newVertexArray(), m_vertices = newBuffer(), m_indices = newBuffer();
-        glBindVertexArray(*m_vertexArray);
-        glBindBuffer(GL_ARRAY_BUFFER, *m_vertices);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(Vertex)), mesh.vertices.data(), GL_STATIC_DRAW);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, *m_indices);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * 4), mesh.indices.data(), GL_STATIC_DRAW);
-        const auto attribute = [](GLuint location, GLint size, std::size_t offset) {
-            glEnableVertexAttribArray(location);
-            glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
-        };
-        attribute(0, 3, offsetof(Vertex, position));
-        attribute(1, 3, offsetof(Vertex, normal));
-        attribute(2, 2, offsetof(Vertex, uv));
-        attribute(3, 3, offsetof(Vertex, dPdu));
-        attribute(4, 3, offsetof(Vertex, dPdv));
-        if (mesh.deformation)
-            m_pose.addAttributes(mesh);
-    }
-    glBindVertexArray(*m_vertexArray);
-    if (pushed && !m_push)
-        m_push = vectorAttribute(5, pushDirections(mesh));
-    if (curvature != 0 && (!m_curvature || m_curvatureKind != curvature)) {
-        m_curvature = vectorAttribute(6, falls(mesh, curvature == 1));
-        m_curvatureKind = curvature;
-    }
-    for (std::size_t i = 0, last = 0; i < mesh.parts.size(); i = std::max(last, i + 1)) { // neighbours in one call
-        std::uint32_t count = 0;
-        for (last = i; last < mesh.parts.size() && isIn(mesh.parts[last], parts, part); ++last)
-            count += mesh.parts[last].indexCount;
-        if (count == 0)
-            continue;
-        program.set("firstTriangle", float(mesh.parts[i].firstIndex / 3));
-        glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
-            reinterpret_cast<const void*>(std::uintptr_t(mesh.parts[i].firstIndex) * sizeof(std::uint32_t)));
-    }
-    glBindVertexArray(0);
 }
 
 int Uploads::textureCount() const

@@ -1,16 +1,13 @@
-// Textures and buffers of a scene in one OpenGL context, uploaded when a program first reads them.
+// Textures of a scene in one OpenGL context, uploaded when a program first reads them.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/source.h"
-#include "render/border_upload.h"
 #include "render/gl_objects.h"
-#include "render/pose_upload.h"
 #include "render/program.h"
 #include <array>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,19 +37,6 @@ public:
     // bound: row of kMaps and texture of the technique, or nothing.
     void bindMaps(const LinkedProgram& program, Wrap wrap, std::string_view boundKey, const std::shared_ptr<const SearchTexture>& bound);
 
-    // Which parts of the mesh a draw is for: those with the relief of the material, or those without any.
-    enum class Parts { Relief, Plain };
-    bool hasParts(Parts parts, std::string_view part) const;
-    // Draws these triangles of the mesh; `part` is State::part. Attribute locations are those of the vertex stage's files.
-    // pushed: with the directions of core/mesh/push.h, which are made only then. curvature: the parameter `silhouettes`; 0 wants none.
-    void drawMesh(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature);
-    // Binds what a program of a deforming mesh reads: the pose that clip and time name.
-    void bindPose(const LinkedProgram& program, const Parameters& parameters);
-    // isClosed of the mesh, found when first asked for.
-    bool meshIsClosed();
-    // Whether bordersOf the mesh finds any, when first asked for; then they are uploaded, and bindMaps binds them.
-    bool meshHasBorders();
-
     // How many textures lie in the context: tests see that nothing unused is uploaded.
     int textureCount() const;
 
@@ -77,12 +61,6 @@ private:
     };
     std::map<std::string, UploadedBound, std::less<>> m_bounds;
     Texture m_environment;
-    VertexArray m_vertexArray;
-    Buffer m_vertices, m_indices, m_push, m_curvature;
-    int m_curvatureKind = 0; // of what lies in m_curvature
-    std::optional<bool> m_closed;
-    std::optional<BorderUpload> m_borders;
-    PoseUpload m_pose;
 };
 
 } // namespace relievo

@@ -2,23 +2,9 @@
 // Jacobian and curvature follow.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-layout(location = 0) in vec3 vertexPosition;
-layout(location = 1) in vec3 vertexNormal;
-layout(location = 3) in vec3 vertexDPdu;
-layout(location = 4) in vec3 vertexDPdv;
-layout(location = 5) in vec3 vertexPush;
+#include "placed.glsl"
 layout(location = 7) in uvec4 vertexJoints;
 layout(location = 8) in vec4 vertexWeights;
-
-struct Placed {
-    vec3 position; // m
-    vec3 normal;
-    vec3 push;
-    vec3 alongU; // texture Jacobian, m per UV of the mesh
-    vec3 alongV;
-    vec3 fall; // what morph targets add to the curvature ...
-    float fallScale; // ... and what the joints make of the sum
-};
 
 // poseMap: (joints, targets, vertices, 0), then four columns a joint, then a weight a target. morphMap: four texels a vertex and target.
 mat4 jointMatrix(uint joint)

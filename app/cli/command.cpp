@@ -23,6 +23,17 @@ void Common::addTo(CLI::App& command)
     command.add_flag("--progress", progress, "Progress on stderr, also when it is no terminal");
 }
 
+namespace {
+// "FILE|plane|sphere ...".
+std::string shapeNames()
+{
+    std::string names = "FILE";
+    for (const std::string_view shape : kShapes)
+        names += '|' + std::string(shape);
+    return names;
+}
+} // namespace
+
 void StateOptions::addTo(CLI::App& command)
 {
     command.add_option("SOURCE", source, "Project (*.relievo), folder of a texture set, one image of a set, sample:NAME or hard:NAME")
@@ -32,7 +43,7 @@ void StateOptions::addTo(CLI::App& command)
     command.add_option("--set", set, "Parameter, repeatable, see relievo describe parameters")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command.add_option("--mesh", mesh, "Mesh file or shape")->type_name("FILE|plane|sphere|cylinder|torus|box|teapot|spheres|character");
+    command.add_option("--mesh", mesh, "Mesh file or shape")->type_name(shapeNames());
     command.add_option("--environment", environment, "Equirectangular picture (hdr, exr) that lights the scene, or studio")
         ->type_name("FILE");
     command.add_option("--camera", camera, "yaw=DEG,pitch=DEG,distance=M,target=X:Y:Z (M),fov=DEG, any of them")->type_name("SETTINGS");
@@ -87,8 +98,10 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
     for (const std::string& assignment : options.set)
         if (const auto done = setParameter(state, assignment); !done)
             return problem(done.error(), WrongUsage);
-    if (!options.mesh.empty())
+    if (!options.mesh.empty()) {
         state.mesh = std::ranges::count(kShapes, options.mesh) ? options.mesh : absolutePath(options.mesh).string();
+        state.part.clear();
+    }
     if (!options.environment.empty())
         state.environment = options.environment == "studio" ? options.environment : absolutePath(options.environment).string();
     if (!options.camera.empty())

@@ -12,6 +12,7 @@
 #include <epoxy/gl.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace relievo::cli {
 
@@ -89,9 +90,7 @@ Result<std::vector<Subject>> subjectsOf(const ReportOptions& options, const Prog
         if (const auto added = add(state, true); !added)
             return tl::unexpected(added.error());
     }
-    for (const HardCaseRow& row : kHardCases) {
-        if (!options.hardCases)
-            break;
+    for (const HardCaseRow& row : std::span(kHardCases).first(options.hardCases ? kHardCases.size() : 0)) {
         state.source = "hard:" + std::string(row.key) + '@' + std::to_string(options.size > 0 ? options.size : kHardCaseSize);
         if (const auto added = add(state, row.pictured); !added)
             return tl::unexpected(added.error());

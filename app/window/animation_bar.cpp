@@ -49,7 +49,7 @@ AnimationBar::AnimationBar(Document& document, Assets& assets, QWidget* parent)
         [this] { setTime(std::fmod(double(m_document.state().parameters.time) + double(m_clock.restart()) / 1000., seconds())); });
     connect(&assets, &Assets::resourcesChanged, this, &AnimationBar::refresh);
     connect(&document, &Document::changed, this, [this](Changes what) {
-        if (what & Change::Parameters)
+        if (what & (Changes(Change::Parameters) | Change::Moment))
             refresh();
     });
     setPlaying(false);

@@ -12,7 +12,10 @@ Changes differences(const State& a, const State& b)
 {
     Changes what;
     what.setFlag(Change::Name, a.name != b.name);
-    what.setFlag(Change::Parameters, a.parameters != b.parameters);
+    Parameters sameMoment = a.parameters;
+    sameMoment.time = b.parameters.time;
+    what.setFlag(Change::Parameters, sameMoment != b.parameters);
+    what.setFlag(Change::Moment, a.parameters.time != b.parameters.time);
     what.setFlag(Change::Maps, a.slots != b.slots);
     what.setFlag(Change::Mesh, a.mesh != b.mesh || a.part != b.part);
     what.setFlag(Change::Environment, a.environment != b.environment);

@@ -21,6 +21,7 @@ enum class Change {
     Camera = 32,
     View = 64,
     Panes = 128,
+    Moment = 256, // of an animation
 };
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)

@@ -111,9 +111,9 @@ void Viewport::documentChanged(Changes what)
             setActivePane(0);
         placeOverlays();
     }
-    if (what & ~Changes(Change::Name))
-        refresh(m_drag.has_value() || m_document.inGesture());
-    if (what & ~Changes(Change::Camera))
+    if (what & ~Changes(Change::Name)) // a moment is soon followed by the next
+        refresh(m_drag.has_value() || m_document.inGesture() || what == Changes(Change::Moment));
+    if (what & ~(Changes(Change::Camera) | Change::Moment))
         updateOverlays();
 }
 

@@ -41,8 +41,9 @@ struct Broken {
     HelperTrouble trouble = HelperTrouble::None;
 };
 
-Error inWords(const Broken& broken, const std::string& where)
+Error inWords(const Broken& broken, bool writes, const std::string& where)
 {
+    const char* const cure = writes ? "Free memory, or write a smaller picture" : "The file is probably damaged: export it again";
     switch (broken.trouble) {
     case HelperTrouble::None:
         return {broken.what, where, broken.hint};
@@ -50,13 +51,13 @@ Error inWords(const Broken& broken, const std::string& where)
         return {"the program relievo-imageio, which reads and writes images, could not be started", where,
             "Install it beside relievo, or set RELIEVO_IMAGEIO to its path"};
     case HelperTrouble::TimedOut:
-        return {"the image library made no progress for 20 seconds", where, "The file is probably damaged: export it again"};
+        return {"the image library made no progress for 20 seconds", where, cure};
     case HelperTrouble::Cancelled:
         return {"cancelled", where, ""};
     case HelperTrouble::Died:
         break;
     }
-    return {"the image library crashed or ran out of memory on this file", where, "The file is probably damaged: export it again"};
+    return {"the image library crashed or ran out of memory on this file", where, cure};
 }
 
 class Conversation {
@@ -161,12 +162,12 @@ Expected<Reply> ask(Message message, const PacketWriter& packet, Payload payload
     for (;;) {
         bool fresh = false;
         if (!one.process.ensureRunning(fresh))
-            return tl::unexpected(inWords({"", "", HelperTrouble::NotFound}, where));
+            return tl::unexpected(inWords({"", "", HelperTrouble::NotFound}, message == Message::Write, where));
         tl::expected<Reply, Broken> reply = Conversation(one.process, progress).run(message, packet, payload);
         if (reply)
             return std::move(*reply);
         if (fresh || reply.error().trouble != HelperTrouble::Died)
-            return tl::unexpected(inWords(reply.error(), where));
+            return tl::unexpected(inWords(reply.error(), message == Message::Write, where));
     }
 }
 

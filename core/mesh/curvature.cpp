@@ -205,4 +205,12 @@ std::vector<Curvature> vertexCurvatures(const Mesh& mesh)
     return curvatures;
 }
 
+std::vector<glm::vec3> vertexFalls(const Mesh& mesh, bool axes)
+{
+    const std::vector<Curvature> curvatures = vertexCurvatures(mesh);
+    std::vector<glm::vec3> falls(curvatures.size());
+    std::ranges::transform(curvatures, falls.begin(), [axes](const Curvature& c) { return axes ? glm::vec3(c.axes, 0.f) : c.full; });
+    return falls;
+}
+
 } // namespace relievo

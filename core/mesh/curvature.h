@@ -22,4 +22,7 @@ struct Curvature {
 // their neighbours; across a hard edge there are none. A vertex at a border or hard edge takes the mean of its inner neighbours.
 std::vector<Curvature> vertexCurvatures(const Mesh& mesh);
 
+// What bends a search ray: `full`, or for axes (A, B, 0), of each vertex.
+std::vector<glm::vec3> vertexFalls(const Mesh& mesh, bool axes);
+
 } // namespace relievo

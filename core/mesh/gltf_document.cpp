@@ -228,11 +228,14 @@ Expected<tinygltf::Model> loadModel(const std::string& bytes, const std::filesys
         return failure(file.string(), clauseOf(problem.what()), kDamaged);
     }
 }
-} // namespace
 
-Expected<GltfDocument> loadGltf(const std::filesystem::path& file)
+struct CheckedFile {
+    std::string bytes;
+    Warnings warnings;
+};
+Expected<CheckedFile> checkedFile(const std::filesystem::path& file)
 {
-    const Expected<std::string> bytes = readText(file);
+    Expected<std::string> bytes = readText(file);
     if (!bytes)
         return tl::unexpected(bytes.error());
     const Expected<std::string_view> text = jsonTextOf(*bytes, file.string());
@@ -241,29 +244,33 @@ Expected<GltfDocument> loadGltf(const std::filesystem::path& file)
     Expected<Warnings> warnings = checkDocument(*text, file.string());
     if (!warnings)
         return tl::unexpected(warnings.error());
-    Expected<tinygltf::Model> model = loadModel(*bytes, file);
+    return CheckedFile{std::move(*bytes), std::move(*warnings)};
+}
+} // namespace
+
+Expected<GltfDocument> loadGltf(const std::filesystem::path& file)
+{
+    Expected<CheckedFile> checked = checkedFile(file);
+    if (!checked)
+        return tl::unexpected(checked.error());
+    Expected<tinygltf::Model> model = loadModel(checked->bytes, file);
     if (!model) {
         for (const char* compression : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
-            if (text->find(compression) != text->npos)
+            if (checked->bytes.find(compression) != std::string::npos)
                 return failure(file.string(), std::string("its triangles are compressed by ") + compression + ", which is not read",
                     "Export it without compression");
         return tl::unexpected(model.error());
     }
-    return GltfDocument{std::move(*model), std::move(*warnings)};
+    return GltfDocument{std::move(*model), std::move(checked->warnings)};
 }
 
 Expected<std::vector<std::byte>> loadGltfPicture(const std::filesystem::path& file, int picture)
 {
-    const Expected<std::string> bytes = readText(file);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
-    const Expected<std::string_view> text = jsonTextOf(*bytes, file.string());
-    if (!text)
-        return tl::unexpected(text.error());
-    if (const Expected<Warnings> checked = checkDocument(*text, file.string()); !checked)
+    const Expected<CheckedFile> checked = checkedFile(file);
+    if (!checked)
         return tl::unexpected(checked.error());
     KeptPicture kept{picture, {}};
-    const Expected<tinygltf::Model> model = loadModel(*bytes, file, &kept);
+    const Expected<tinygltf::Model> model = loadModel(checked->bytes, file, &kept);
     if (!model)
         return tl::unexpected(model.error());
     const std::string name = "the picture " + std::to_string(picture);

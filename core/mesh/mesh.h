@@ -60,6 +60,10 @@ struct Mesh {
     Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped" ...
 };
 
+// Whether `part` shows no relief: it has none, or another material's parts are chosen. chosen: State::part; a name that no part of the mesh
+// has (of another mesh) chooses none.
+bool isPlain(const Mesh& mesh, const MeshPart& part, std::string_view chosen);
+
 // Shapes made by formula, largest size 1 m, centred (design.md section 3).
 inline constexpr std::array<std::string_view, 8> kShapes
     = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character"};

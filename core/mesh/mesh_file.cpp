@@ -4,6 +4,7 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/raw_mesh.h"
 #include "core/mesh/shapes.h"
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace relievo {
@@ -75,6 +76,12 @@ std::string meshJson(const Mesh& mesh)
         json["materials"].push_back({{"name", material.name}, {"maps", maps}});
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+bool isPlain(const Mesh& mesh, const MeshPart& part, std::string_view chosen)
+{
+    return part.relief == 0.f
+        || (!chosen.empty() && part.material != chosen && std::ranges::count(mesh.parts, chosen, &MeshPart::material) > 0);
 }
 
 } // namespace relievo

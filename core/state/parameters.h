@@ -132,10 +132,8 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         "How the texture lies on the mesh: from the vertices, from the screen's derivatives (needs no tangents), or from those as the "
         "thesis on derivative-based relief mapping has it, which loses skew."},
     {&Parameters::silhouettes, "silhouettes", "Silhouettes", Group::Mesh, 0.f, 2.f, "", "technique", "off axes quadric",
-        "Bends the search ray over the curved mesh and cuts off what is past the outline or a border: curvature along the tangents only as "
-        "in the "
-        "papers "
-        "(axes), or the whole quadric."},
+        "Bends the search ray over the curved mesh and cuts off what is past its outline or a border. Axes: curvature along the tangents "
+        "only, as in the papers; quadric: all of it."},
     {&Parameters::depthOfHit, "depthOfHit", "Depth of the relief", Group::Mesh, 0.f, 1.f, "", "", "",
         "Writes the depth of the point seen instead of the polygon's, so that surfaces meet where their relief does."},
     {&Parameters::edgeFade, "edgeFade", "Fade at edges", Group::Mesh, 0.f, 1.f, "cos", "", "",

@@ -57,10 +57,8 @@ int measure(Renderer& renderer, const std::string& mesh, float depth)
         100. * coverage[0], depths[0], 100. * coverage[1], depths[1], 100. * coverage[2], depths[2], coverage[2] / coverage[0]);
     if (invalid > 0.)
         std::printf("%g pixels are no numbers\n", invalid);
-    for (const Warning& warning : warnings) {
-        std::fprintf(stderr, "%s: %s\n", mesh.c_str(), warning.text.c_str());
-        break;
-    }
+    if (!warnings.empty()) // those of the other views say the same
+        std::fprintf(stderr, "%s: %s\n", mesh.c_str(), warnings.front().text.c_str());
     return 0;
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/techniques.h"
 #include "core/trace/shader_on_cpu.h"
+#include "tests/core/bilinear.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -10,14 +11,6 @@
 using namespace relievo;
 
 namespace {
-
-double heightAt(const HeightField& field, glm::dvec2 uv)
-{
-    const double x = uv.x * field.width() - 0.5, y = uv.y * field.height() - 0.5;
-    const double fx = x - std::floor(x), fy = y - std::floor(y);
-    const auto c = field.corners(int(std::floor(x)), int(std::floor(y)));
-    return (c.h00 * (1. - fx) + c.h10 * fx) * (1. - fy) + (c.h01 * (1. - fx) + c.h11 * fx) * fy;
-}
 
 // Depth of the ray less depth of the surface: the ray is inside where it is not negative.
 double inside(const HeightField& field, const SearchRay& ray, double t)

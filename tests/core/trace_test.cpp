@@ -4,6 +4,7 @@
 #include "core/state/techniques.h"
 #include "core/trace/reference.h"
 #include "core/trace/shader_on_cpu.h"
+#include "tests/core/bilinear.h"
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -51,15 +52,6 @@ SearchRay randomRay(std::mt19937& random, double longest)
     if (random() % 8 == 0)
         ray.duv.y = 0.;
     return ray;
-}
-
-// Bilinear height in double, independent of the walk.
-double heightAt(const HeightField& field, glm::dvec2 uv)
-{
-    const double x = uv.x * field.width() - 0.5, y = uv.y * field.height() - 0.5;
-    const double fx = x - std::floor(x), fy = y - std::floor(y);
-    const auto c = field.corners(int(std::floor(x)), int(std::floor(y)));
-    return (c.h00 * (1. - fx) + c.h10 * fx) * (1. - fy) + (c.h01 * (1. - fx) + c.h11 * fx) * fy;
 }
 
 double gap(const HeightField& field, const SearchRay& ray, double t)

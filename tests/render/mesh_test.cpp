@@ -165,6 +165,54 @@ TEST(ObjectShadows, NoAcneOnAReliefAlone)
     }
 }
 
+// The map is kept while nothing that it shows changes, and no longer.
+TEST(ObjectShadows, FollowWhatMovesAndTheLight)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("character");
+    state.parameters.objectShadows = true;
+    const Resources resources = resourcesOf(state);
+    const auto fresh = [&] {
+        Renderer other;
+        return picture(other, state, resources, "shadow");
+    };
+    for (const auto& change : std::initializer_list<void (*)(State&)>{[](State&) {}, [](State& s) { s.parameters.time = 0.5f; },
+             [](State& s) { s.camera.yaw = 100.f; }, [](State& s) { s.parameters.lightYaw = 40.f; },
+             [](State& s) { s.panes.front().technique = "flat"; }, [](State& s) { s.parameters.depth = 0.2f; }}) {
+        change(state);
+        EXPECT_LT(differing(picture(renderer, state, resources, "shadow"), fresh(), 0.01f), 1e-6);
+    }
+}
+
+// A part that the mesh does not have chooses none.
+TEST(Parts, OnlyTheChosenOneShowsRelief)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("plane");
+    const Resources resources = resourcesOf(state);
+    const Image all = picture(renderer, state, resources, "depth");
+    const auto deepest = [](const Image& image) {
+        float depth = 0.f;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                depth = std::max(depth, image.value(x, y, 0));
+        return depth;
+    };
+    EXPECT_GT(deepest(all), 0.5f);
+    state.part = "of another mesh";
+    EXPECT_EQ(differing(picture(renderer, state, resources, "depth"), all, 0.f), 0.);
+    Resources two = resources;
+    Mesh mesh = *resources.mesh;
+    mesh.parts.push_back({"other", "other", std::uint32_t(mesh.indices.size()), 0});
+    two.mesh = std::make_shared<Mesh>(std::move(mesh));
+    state.part = "other";
+    EXPECT_EQ(deepest(picture(renderer, state, two, "depth")), 0.f);
+}
+
 // On a plane the derivatives are exact; where u and v are skewed the thesis' unit vectors slide.
 TEST(Frames, DerivativesAgreeWithVerticesAndTheThesisDoesNot)
 {

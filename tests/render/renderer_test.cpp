@@ -326,3 +326,22 @@ TEST(Renderer, BrokenShaderKeepsTheLastPictureAndNamesTheLine)
     EXPECT_EQ(meanDifference(good, picture(renderer, state, resources, "color")), 0.);
     fs::remove_all(folder);
 }
+
+// Each feature of a program has its own: an exact search knows the wrap mode beforehand.
+TEST(Renderer, WrapOfAnExactSearchIsNotThatOfThePictureBefore)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    State state = openSource("sample:cobblestones@64", State())->state;
+    state.panes = {Pane{"cell-cone", {}}};
+    state.parameters.depth = 0.4f, state.camera.pitch = 12.f;
+    const auto resources = *loadResources(state, {}, {});
+    const auto depths = [&](Renderer& renderer) { return drawPicture(renderer, state, 0, resources, "depth", 96, 72, 1, true)->data; };
+    Renderer renderer;
+    const auto repeated = depths(renderer);
+    state.parameters.wrap = 1;
+    Renderer fresh;
+    const auto clamped = depths(renderer);
+    EXPECT_NE(clamped, repeated);
+    EXPECT_EQ(clamped, depths(fresh));
+}

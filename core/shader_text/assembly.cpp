@@ -1,0 +1,184 @@
+// Reading shader files, finding what they mention, and putting them together.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shader_text/assembly.h"
+#include "core/file.h"
+#include "core/maps/search_texture.h"
+#include "core/shader_text/scene_uniforms.h"
+#include "core/shader_text/shader_files.h"
+#include <algorithm>
+#include <cctype>
+
+namespace relievo {
+
+namespace {
+bool isWordCharacter(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+} // namespace
+
+std::string withoutComments(std::string_view text)
+{
+    std::string out(text);
+    enum { Code, Line, Block } in = Code;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const bool pair = i + 1 < text.size();
+        if (in == Code && pair && text[i] == '/' && (text[i + 1] == '/' || text[i + 1] == '*')) {
+            in = text[i + 1] == '/' ? Line : Block;
+            out[i] = out[i + 1] = ' ';
+            ++i;
+        } else if (in == Line && text[i] == '\n') {
+            in = Code;
+        } else if (in == Block && pair && text[i] == '*' && text[i + 1] == '/') {
+            in = Code;
+            out[i] = out[i + 1] = ' ';
+            ++i;
+        } else if (in != Code && text[i] != '\n') {
+            out[i] = ' ';
+        }
+    }
+    return out;
+}
+
+bool mentionsIdentifier(std::string_view text, std::string_view identifier)
+{
+    for (std::size_t at = text.find(identifier); at != text.npos; at = text.find(identifier, at + 1)) {
+        const std::size_t end = at + identifier.size();
+        const bool starts = at == 0 || (!isWordCharacter(text[at - 1]) && text[at - 1] != '.');
+        if (starts && (end == text.size() || !isWordCharacter(text[end])))
+            return true;
+    }
+    return false;
+}
+
+bool ShaderText::mentions(std::string_view identifier) const
+{
+    return mentionsIdentifier(text, identifier);
+}
+
+ShaderReader embeddedReader()
+{
+    return [](std::string_view name) -> Expected<std::string> {
+        const auto& files = embeddedShaders();
+        const auto found = std::ranges::find(files, name, &ShaderFile::name);
+        if (found == files.end())
+            return failure("shaders/" + std::string(name), "there is no such shader file", "Check the #include line");
+        return std::string(found->text);
+    };
+}
+
+ShaderReader folderReader(const std::filesystem::path& folder)
+{
+    return [folder](std::string_view name) -> Expected<std::string> {
+        std::error_code code;
+        if (std::filesystem::exists(folder / name, code))
+            return readText(folder / name);
+        return embeddedReader()(name);
+    };
+}
+
+namespace {
+
+constexpr std::string_view typeName(const Member& member)
+{
+    constexpr std::array<std::string_view, 4> names = {"float", "int", "bool", "vec3"};
+    return names[member.index()];
+}
+constexpr std::string_view typeName(const SceneMember& member)
+{
+    constexpr std::array<std::string_view, 5> names = {"float", "vec2", "vec3", "mat2", "mat4"};
+    return names[member.index()];
+}
+
+// By Dialect.
+constexpr std::array<std::string_view, 2> kHeaders = {"#version 410 core\n#extension GL_ARB_conservative_depth : enable\n",
+    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n"
+    "precision highp usampler2D;\n"};
+} // namespace
+
+Assembly& Assembly::file(std::string_view name)
+{
+    if (m_failed || std::ranges::count(m_files, name))
+        return *this;
+    const auto text = m_read(name);
+    if (!text) {
+        m_failed = text.error();
+        return *this;
+    }
+    m_files.emplace_back(name);
+    lines(withoutComments(*text), m_files.size() - 1);
+    return *this;
+}
+
+Assembly& Assembly::generated(std::string_view text)
+{
+    m_body += "#line 1 0\n";
+    m_body += text;
+    m_body += '\n';
+    return *this;
+}
+
+Expected<ShaderText> Assembly::finish()
+{
+    if (m_failed)
+        return tl::unexpected(*m_failed);
+    return ShaderText{std::string(kHeaders[std::size_t(m_dialect)]) + uniformDeclarations(m_body) + m_body, m_files};
+}
+
+void Assembly::lines(const std::string& text, std::size_t index)
+{
+    const std::string number = std::to_string(index);
+    m_body += "#line 1 " + number + '\n';
+    std::size_t line = 1;
+    for (std::size_t at = 0; at < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string_view content = std::string_view(text).substr(at, end - at);
+        if (content.starts_with("#include")) {
+            const std::size_t open = content.find('"'), close = content.rfind('"');
+            if (open < close && close != content.npos)
+                file(content.substr(open + 1, close - open - 1));
+            m_body += "#line " + std::to_string(line + 1) + ' ' + number + '\n';
+        } else {
+            m_body.append(content);
+            m_body += '\n';
+        }
+        at = end + 1;
+    }
+}
+
+std::string uniformDeclarations(const std::string& text)
+{
+    std::string declarations;
+    const auto declare = [&](std::string_view type, std::string_view name) {
+        if (mentionsIdentifier(text, name))
+            declarations += "uniform " + std::string(type) + ' ' + std::string(name) + ";\n";
+    };
+    for (const ParameterRow& row : kParameters)
+        declare(typeName(row.member), row.key);
+    for (const SceneUniformRow& row : kSceneUniforms)
+        declare(typeName(row.member), row.name);
+    for (const MapKindRow& row : kMapKinds) {
+        declare("sampler2D", std::string(row.key) + "Map");
+        declare("float", std::string(row.key) + "MapLevels"); // log2 of the map's longest side
+    }
+    declare("float", "heightMapLast"); // its last mip level
+    declare("sampler2D", "boundMap"); // of the technique, by what it is: filtered or heights, codes, a volume
+    declare("usampler2D", "cellMap");
+    declare("sampler3D", "distanceMap");
+    if (mentionsIdentifier(text, "boundScales"))
+        declarations += "uniform vec4 boundScales[" + std::to_string(kMaxHeightLevels) + "];\n";
+    declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
+    declare("float", "slopeMapLevels");
+    declare("samplerBuffer", "borderMap");
+    declare("float", "firstTriangle"); // that is drawn, of those in the border map
+    declare("samplerCube", "environmentMap");
+    declare("sampler2DShadow", "shadowMap");
+    declare("samplerBuffer", "poseMap"); // see place_posed.glsl
+    declare("samplerBuffer", "morphMap");
+    declare("sampler2D", "rayMap");
+    declare("sampler2D", "cosineMap");
+    return declarations;
+}
+
+} // namespace relievo

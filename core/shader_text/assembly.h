@@ -1,0 +1,29 @@
+// One stage of a program, put together from files and generated text.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/shader_text/program_text.h"
+#include <optional>
+
+namespace relievo {
+
+// Collects the parts of a stage; each file is included once. The first file that cannot be read makes finish() fail.
+class Assembly {
+public:
+    explicit Assembly(const ShaderReader& read, Dialect dialect = Dialect::Desktop) : m_read(read), m_dialect(dialect) { }
+
+    Assembly& file(std::string_view name);
+    Assembly& generated(std::string_view text);
+    Expected<ShaderText> finish(); // with the declarations that the parts need before them
+
+private:
+    void lines(const std::string& text, std::size_t index);
+
+    const ShaderReader& m_read;
+    Dialect m_dialect;
+    std::string m_body;
+    std::vector<std::string> m_files = {"generated text"};
+    std::optional<Error> m_failed;
+};
+
+} // namespace relievo

@@ -1,0 +1,135 @@
+// Vertices, curvature, borders and pose of the mesh as OpenGL reads them.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/mesh_upload.h"
+#include "core/mesh/borders.h"
+#include "core/mesh/closed.h"
+#include "core/mesh/curvature.h"
+#include "core/mesh/push.h"
+#include "core/source.h"
+#include "render/texture_units.h"
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace relievo {
+
+namespace {
+// A buffer of one vector a vertex for attribute `location` of the vertex array that is bound.
+Buffer vectorAttribute(GLuint location, std::span<const glm::vec3> values)
+{
+    Buffer buffer = newBuffer();
+    glBindBuffer(GL_ARRAY_BUFFER, *buffer);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(values.size_bytes()), values.data(), GL_STATIC_DRAW);
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    return buffer;
+}
+
+// What shaders/borders_cut.glsl reads: first and count of each triangle, then the segments. Nothing for a mesh without borders.
+std::vector<glm::vec4> borderTexels(const Mesh& mesh)
+{
+    GLint limit = 0; // texels
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    const std::size_t triangles = mesh.indices.size() / 3, room = std::size_t(std::max(limit, 0));
+    BorderLimits limits;
+    limits.budget = std::min(limits.budget, room - std::min(triangles, room));
+    const Borders borders = bordersOf(mesh, limits);
+    if (borders.segments.empty())
+        return {};
+    std::vector<glm::vec4> texels;
+    texels.reserve(triangles + borders.segments.size());
+    for (std::size_t i = 0; i < triangles; ++i)
+        texels.emplace_back(float(triangles + borders.starts[i]), float(borders.starts[i + 1] - borders.starts[i]), 0.f, 0.f);
+    texels.insert(texels.end(), borders.segments.begin(), borders.segments.end());
+    return texels;
+}
+} // namespace
+
+void MeshUpload::hold(const std::shared_ptr<const Mesh>& mesh)
+{
+    if (mesh != std::exchange(m_mesh, mesh))
+        *this = MeshUpload(), m_mesh = mesh;
+}
+
+bool MeshUpload::isClosed()
+{
+    if (!m_closed)
+        m_closed = relievo::isClosed(*m_mesh);
+    return *m_closed;
+}
+
+bool MeshUpload::hasBorders()
+{
+    if (!m_borders) {
+        m_borders.emplace();
+        glActiveTexture(GL_TEXTURE0 + kBorderUnit);
+        if (const std::vector<glm::vec4> texels = borderTexels(*m_mesh); !texels.empty())
+            m_borders->fill(texels, GL_STATIC_DRAW);
+    }
+    return m_borders->texture() != 0;
+}
+
+void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters)
+{
+    if (m_mesh->deformation && program.reads("poseMap"))
+        m_pose.bind(program, *m_mesh, poseOf(*m_mesh, parameters), parameters.silhouettes);
+    if (program.reads("borderMap") && hasBorders())
+        program.bind("borderMap", GL_TEXTURE_BUFFER, m_borders->texture(), kBorderUnit);
+}
+
+bool MeshUpload::has(Parts parts, std::string_view part) const
+{
+    return std::ranges::any_of(
+        m_mesh->parts, [&](const MeshPart& each) { return isPlain(*m_mesh, each, part) == (parts == Parts::Plain); });
+}
+
+void MeshUpload::makeVertices()
+{
+    m_vertexArray = newVertexArray(), m_vertices = newBuffer(), m_indices = newBuffer();
+    glBindVertexArray(*m_vertexArray);
+    glBindBuffer(GL_ARRAY_BUFFER, *m_vertices);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_mesh->vertices.size() * sizeof(Vertex)), m_mesh->vertices.data(), GL_STATIC_DRAW);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, *m_indices);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(m_mesh->indices.size() * 4), m_mesh->indices.data(), GL_STATIC_DRAW);
+    const auto attribute = [](GLuint location, GLint size, std::size_t offset) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, 3, offsetof(Vertex, position));
+    attribute(1, 3, offsetof(Vertex, normal));
+    attribute(2, 2, offsetof(Vertex, uv));
+    attribute(3, 3, offsetof(Vertex, dPdu));
+    attribute(4, 3, offsetof(Vertex, dPdv));
+    if (m_mesh->deformation)
+        m_pose.addAttributes(*m_mesh);
+}
+
+void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature)
+{
+    if (!m_vertexArray)
+        makeVertices();
+    glBindVertexArray(*m_vertexArray);
+    if (pushed && !m_push)
+        m_push = vectorAttribute(5, pushDirections(*m_mesh));
+    if (curvature != 0 && (!m_curvature || m_curvatureKind != curvature)) {
+        m_curvature = vectorAttribute(6, vertexFalls(*m_mesh, curvature == 1));
+        m_curvatureKind = curvature;
+    }
+    const std::vector<MeshPart>& all = m_mesh->parts;
+    for (std::size_t i = 0, last = 0; i < all.size(); i = std::max(last, i + 1)) { // neighbours in one call
+        std::uint32_t count = 0;
+        for (last = i; last < all.size() && isPlain(*m_mesh, all[last], part) == (parts == Parts::Plain); ++last)
+            count += all[last].indexCount;
+        if (count == 0)
+            continue;
+        program.set("firstTriangle", float(all[i].firstIndex / 3));
+        glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(std::uintptr_t(all[i].firstIndex) * sizeof(std::uint32_t)));
+    }
+    glBindVertexArray(0);
+}
+
+} // namespace relievo
