@@ -90,7 +90,7 @@ Expected<Opened> openScene(const std::string& source, const State& base)
     return opened;
 }
 
-// A mesh file as SOURCE: the first of its materials that has maps, on all parts.
+// A mesh file as SOURCE: the first of its materials that has maps, on all parts. Without heights it is shown as bump.
 Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const Progress& progress)
 {
     const auto mesh = openMesh(file.string(), progress);
@@ -102,6 +102,10 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
     Opened opened{base, {}, {}};
     opened.state.mesh = file.string();
     opened.state.slots = material->maps;
+    if (opened.state.slots[std::size_t(MapKind::Height)].file.empty()) // a relief without heights cannot be drawn
+        for (Pane& pane : opened.state.panes)
+            if (const TechniqueRow* technique = findTechnique(pane.technique); technique && listHas(technique->maps, "height"))
+                pane.technique = "bump";
     opened.state.name = file.stem().string();
     return opened;
 }

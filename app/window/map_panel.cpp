@@ -196,8 +196,9 @@ void MapPanel::choosePart(const QString& material)
         material.isEmpty() ? tr("All parts") : tr("Part %1").arg(material), [mesh, name = material.toStdString()](State& state) {
             state.part = name;
             const auto found = std::ranges::find(mesh->materials, name, &MeshMaterial::name);
-            if (found != mesh->materials.end() && found->maps != MapSlots())
-                state.slots = found->maps;
+            for (std::size_t i = 0; found != mesh->materials.end() && i < state.slots.size(); ++i)
+                if (!found->maps[i].file.empty()) // what the file lacks, such as heights, stays
+                    state.slots[i] = found->maps[i];
         });
 }
 

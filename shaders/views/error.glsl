@@ -5,6 +5,8 @@
 
 float viewValue(Surface surface)
 {
+    if (surface.depth <= 0.0f)
+        return 0.0f; // a plain part has no relief to be wrong about
     float exact = exactDepth(sightRay(textureFrame(), surface.toEye, surface.depth));
     return abs(surface.hit.t - (exact - bendFrom(exact).x));
 }

@@ -52,6 +52,7 @@ TEST_F(WindowTest, APartOfAMeshTakesItsOwnMaps)
     window.maps().choosePart("wood");
     ASSERT_TRUE(waitFor([&] { return state().part == "wood"; }));
     EXPECT_NE(state().slots[std::size_t(MapKind::Color)].file.find("wood.png"), std::string::npos);
+    EXPECT_NE(state().slots[std::size_t(MapKind::Height)].file, ""); // the file has none
     window.action("undo")->trigger();
     EXPECT_EQ(state().part, "");
 }

@@ -1,10 +1,13 @@
 // Relief on meshes: poses on the GPU, shadows between objects, interpenetration, frames without tangents, pixels that are no numbers.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/image_file.h"
 #include "core/mesh/pose.h"
 #include "render/mesh_errors.h"
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -211,6 +214,35 @@ TEST(Parts, OnlyTheChosenOneShowsRelief)
     two.mesh = std::make_shared<Mesh>(std::move(mesh));
     state.part = "other";
     EXPECT_EQ(deepest(picture(renderer, state, two, "depth")), 0.f);
+    EXPECT_EQ(deepest(picture(renderer, state, two, "error")), 0.f);
+}
+
+// A mesh that brings a colour map is a material; without heights it is not shown as relief.
+TEST(Parts, AMeshFileWithTexturesIsASource)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    std::string name = (fs::temp_directory_path() / "relievo-mesh-source-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    const fs::path folder = name;
+    Image red{2, 2, 3, PixelType::U8, 8, false, std::vector<std::byte>(12)};
+    for (std::size_t i = 0; i < 12; i += 3)
+        red.data[i] = std::byte(255);
+    ASSERT_TRUE(writeImage(folder / "red.png", red, true));
+    std::ofstream(folder / "m.mtl") << "newmtl paint\nmap_Kd red.png\n";
+    std::ofstream(folder / "m.obj") << "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3\n";
+    const auto opened = openSource((folder / "m.obj").string(), State());
+    ASSERT_TRUE(opened) << message(opened.error());
+    EXPECT_EQ(opened->state.panes.front().technique, "bump");
+    const auto resources = loadResources(opened->state, opened->images, {});
+    ASSERT_TRUE(resources);
+    State state = opened->state;
+    state.camera.yaw = state.camera.pitch = 0.f;
+    const Image color = picture(renderer, state, *resources, "color");
+    EXPECT_GT(color.value(color.width / 2 - 10, color.height / 2 + 10, 0), 0.9f);
+    EXPECT_LT(color.value(color.width / 2 - 10, color.height / 2 + 10, 1), 0.1f);
+    fs::remove_all(folder);
 }
 
 // On a plane the derivatives are exact; where u and v are skewed the thesis' unit vectors slide.

@@ -5,6 +5,7 @@
 #include "core/shader_text/shader_files.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
+#include "render/legend.h"
 #include "render/windowless.h"
 #include <cmath>
 #include <cstdlib>
@@ -344,4 +345,17 @@ TEST(Renderer, WrapOfAnExactSearchIsNotThatOfThePictureBefore)
     const auto clamped = depths(renderer);
     EXPECT_NE(clamped, repeated);
     EXPECT_EQ(clamped, depths(fresh));
+}
+
+// A letter without a glyph would be left out of the legend.
+TEST(Legend, WritesEveryUnit)
+{
+    const auto written = [](std::string_view unit) {
+        Image picture{320, 240, 4, PixelType::U8, 8, false, std::vector<std::byte>(std::size_t(320) * 240 * 4)};
+        drawLegend(picture, 1.f, unit);
+        return picture.data;
+    };
+    for (const ViewRow& view : kViews)
+        for (const char letter : view.unit)
+            EXPECT_NE(written(std::string(1, letter)), written(" ")) << view.key << ": " << letter;
 }
