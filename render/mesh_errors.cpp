@@ -52,6 +52,8 @@ Expected<MeshErrors> meshErrors(
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const double truth = double(exact[std::size_t(y) * std::size_t(width) + std::size_t(x)]);
+            if (std::isnan(truth))
+                continue;
             const bool covered = image->value(x, y, 3) > 0.5f, hit = std::isfinite(truth);
             either += covered || hit;
             errors.coverage += covered != hit;

@@ -1,4 +1,4 @@
-// How far a picture of relief on a mesh is from the displaced mesh itself: outline and depth.
+// How far a picture of relief on a mesh is from the displaced mesh itself: outline and depth. Pixels that see backs do not count.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -17,7 +17,7 @@ struct MeshErrors {
 Expected<MeshErrors> meshErrors(
     Renderer& renderer, const State& state, const Resources& resources, const std::vector<float>& exact, int width, int height);
 
-// Metres from the eye at each pixel of that picture, from the displaced mesh; infinity where there is nothing.
+// Metres from the eye at each pixel of that picture, from the displaced mesh; infinity where there is nothing, NaN at backs (distancesSeen).
 Expected<std::vector<float>> exactDistances(
     const State& state, const Resources& resources, int width, int height, Warnings& warnings, const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/displaced_mesh.h"
 #include "core/mesh/closed.h"
+#include "core/mesh/places.h"
 #include "core/mesh/push.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/state.h"
@@ -15,13 +16,14 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <tbb/parallel_for.h>
+#include <unordered_map>
 
 namespace relievo {
 
 struct DisplacedMesh::Impl {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
-    std::size_t triangles = 0;
+    std::size_t sheets = 0, triangles = 0; // micro-triangles of the displaced surface come first, then those of walls
     std::atomic<std::ptrdiff_t> bytes = 0;
     float coarseness = 1.f;
     Impl() = default;
@@ -114,7 +116,47 @@ struct Plan {
     std::vector<std::uint32_t> pieces;
     std::vector<std::size_t> firstVertex, firstTriangle; // one more than triangles: the last is the total
     float coarseness = 1.f;
+
+    // The k-th of the points on a triangle's side, from corner `edge` of Mesh::indices to the next.
+    std::uint32_t onSide(std::uint32_t edge, std::uint32_t k) const
+    {
+        const std::uint32_t n = pieces[edge / 3];
+        const std::uint32_t inGrid = edge % 3 == 0 ? gridIndex(k, 0) : edge % 3 == 1 ? gridIndex(n, k) : gridIndex(n - k, n - k);
+        return std::uint32_t(firstVertex[edge / 3]) + inGrid;
+    }
 };
+
+// The walls that close what opens between two triangles that share a smooth edge: at UV seams their heights differ, and where they are cut
+// into different numbers of pieces their sides do. Three indices a micro-triangle.
+std::vector<std::uint32_t> wallsOf(const Base& base, const Plan& plan)
+{
+    const Mesh& mesh = base.mesh;
+    const std::vector<std::uint32_t> place = placesOf(mesh);
+    const auto next = [](std::uint32_t edge) { return edge % 3 == 2 ? edge - 2 : edge + 1; };
+    const auto vertex = [&](std::uint32_t edge) -> const Vertex& { return mesh.vertices[mesh.indices[edge]]; };
+    const auto isOne = [&](std::uint32_t a, std::uint32_t b) { return glm::dot(vertex(a).normal, vertex(b).normal) > 0.999f; };
+    std::unordered_map<std::uint64_t, std::uint32_t> byEnds;
+    std::vector<std::uint32_t> walls;
+    for (std::uint32_t e = 0; e < mesh.indices.size(); ++e) {
+        const std::uint64_t from = place[mesh.indices[e]], to = place[mesh.indices[next(e)]];
+        const auto opposite = byEnds.find(to << 32 | from);
+        if (opposite == byEnds.end()) {
+            byEnds[from << 32 | to] = e;
+            continue;
+        }
+        const std::uint32_t o = opposite->second, n = plan.pieces[e / 3], m = plan.pieces[o / 3];
+        byEnds.erase(opposite);
+        const bool seam = vertex(e).uv != vertex(next(o)).uv || vertex(next(e)).uv != vertex(o).uv;
+        if (!(seam || n != m) || !isOne(e, next(o)) || !isOne(next(e), o))
+            continue;
+        for (std::uint32_t i = 0, j = 0; i < n || j < m;) {
+            const std::uint32_t own = plan.onSide(e, i), other = plan.onSide(o, m - j);
+            const bool ownGoesOn = j == m || (i < n && std::uint64_t(i + 1) * m <= std::uint64_t(j + 1) * n);
+            walls.insert(walls.end(), {own, other, ownGoesOn ? plan.onSide(e, ++i) : plan.onSide(o, m - ++j)});
+        }
+    }
+    return walls;
+}
 
 Plan plan(const Base& base, const DisplacedMesh::Detail& detail)
 {
@@ -148,8 +190,11 @@ std::vector<float> reliefOfTriangles(const Mesh& mesh)
 }
 
 // Lets rays pass through the backs of a closed mesh's sheets: where they part at a hard edge, the inside is not seen, as in a picture.
+// Walls stop rays from either side.
 void onlyFronts(const RTCFilterFunctionNArguments* hit)
 {
+    if (RTCHitN_primID(hit->hit, hit->N, 0) >= *static_cast<const std::size_t*>(hit->geometryUserPtr))
+        return;
     const float facing = RTCHitN_Ng_x(hit->hit, hit->N, 0) * RTCRayN_dir_x(hit->ray, hit->N, 0)
         + RTCHitN_Ng_y(hit->hit, hit->N, 0) * RTCRayN_dir_y(hit->ray, hit->N, 0)
         + RTCHitN_Ng_z(hit->hit, hit->N, 0) * RTCRayN_dir_z(hit->ray, hit->N, 0);
@@ -181,8 +226,11 @@ Expected<DisplacedMesh> DisplacedMesh::build(
     const Plan cuts = plan(base, detail);
     const std::vector<float> reliefs = reliefOfTriangles(mesh);
 
+    const std::vector<std::uint32_t> walls = wallsOf(base, cuts);
+
     const auto impl = std::make_shared<Impl>();
-    impl->triangles = cuts.firstTriangle.back();
+    impl->sheets = cuts.firstTriangle.back();
+    impl->triangles = impl->sheets + walls.size() / 3;
     impl->coarseness = cuts.coarseness;
     impl->device = rtcNewDevice(nullptr);
     if (!impl->device)
@@ -191,12 +239,13 @@ Expected<DisplacedMesh> DisplacedMesh::build(
     impl->scene = rtcNewScene(impl->device);
     rtcSetSceneFlags(impl->scene, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
     RTCGeometry geometry = rtcNewGeometry(impl->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetGeometryUserData(geometry, &impl->sheets);
     if (isClosed(mesh))
         rtcSetGeometryIntersectFilterFunction(geometry, onlyFronts);
     auto* vertices = static_cast<float*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), cuts.firstVertex.back()));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), cuts.firstTriangle.back()));
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), impl->triangles));
     if (vertices && indices) {
         std::atomic<std::size_t> done = 0;
         tbb::parallel_for(std::size_t(0), cuts.pieces.size(), [&](std::size_t i) {
@@ -207,6 +256,7 @@ Expected<DisplacedMesh> DisplacedMesh::build(
             if (++done % 256 == 0)
                 progress.at(0.5f * float(done) / float(cuts.pieces.size()));
         });
+        std::ranges::copy(walls, indices + 3 * impl->sheets);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(impl->scene, geometry);
     }
@@ -231,7 +281,7 @@ DisplacedMesh::Detail DisplacedMesh::detailFor(const Mesh& mesh, const CameraVie
     return {.finest = 0.5f * nearest * 2.f * std::tan(0.5f * glm::radians(fovDegrees)) / float(std::max(height, 1))};
 }
 
-float DisplacedMesh::distance(glm::vec3 origin, glm::vec3 direction) const
+DisplacedMesh::Hit DisplacedMesh::hit(glm::vec3 origin, glm::vec3 direction) const
 {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -240,7 +290,10 @@ float DisplacedMesh::distance(glm::vec3 origin, glm::vec3 direction) const
         origin.x, origin.y, origin.z, 0.f, direction.x, direction.y, direction.z, 0.f, std::numeric_limits<float>::infinity(), ~0u, 0, 0};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(m->scene, &context, &ray);
-    return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity() : ray.ray.tfar;
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return {};
+    const bool back = ray.hit.primID < m->sheets && glm::dot(glm::vec3(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z), direction) > 0.f;
+    return {ray.ray.tfar, back};
 }
 
 std::size_t DisplacedMesh::triangles() const
@@ -268,8 +321,8 @@ Expected<std::vector<float>> distancesSeen(
         for (int x = 0; x < width; ++x) {
             const glm::vec4 clip(2.f * (float(x) + 0.5f) / float(width) - 1.f, 1.f - 2.f * (float(y) + 0.5f) / float(height), 0.f, 1.f);
             const glm::vec4 world = worldFromClip * clip;
-            distances[std::size_t(y) * std::size_t(width) + std::size_t(x)]
-                = surface.distance(camera.eye, glm::normalize(glm::vec3(world) / world.w - camera.eye));
+            const DisplacedMesh::Hit hit = surface.hit(camera.eye, glm::normalize(glm::vec3(world) / world.w - camera.eye));
+            distances[std::size_t(y) * std::size_t(width) + std::size_t(x)] = hit.back ? std::nanf("") : hit.distance;
         }
         progress.at(float(++done) / float(height));
     });

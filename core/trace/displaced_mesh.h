@@ -8,13 +8,15 @@
 #include "core/progress.h"
 #include "core/state/camera_view.h"
 #include "core/state/parameters.h"
+#include <limits>
 #include <memory>
 #include <vector>
 
 namespace relievo {
 
 // Every point of the mesh, pushed out for the midlevel, then moved in along the interpolated unit normal by the relief's depth there (none
-// on plain parts) (height field bilinear; design.md section 3). Its triangles are cut into micro-triangles of half a texel.
+// on plain parts) (height field bilinear; design.md section 3). Its triangles are cut into micro-triangles of half a texel; what opens between them at
+// UV seams is closed by walls.
 class DisplacedMesh {
 public:
     struct Detail {
@@ -27,9 +29,13 @@ public:
     // finest: half of what a pixel of a picture `height` pixels high sees at the mesh's near side.
     static Detail detailFor(const Mesh& mesh, const CameraView& camera, float fovDegrees, int height);
 
-    // Metres along the unit direction to the first hit; infinity when there is none. The backs of a closed mesh are not hit: where its
-    // sheets part at a hard edge, a ray that only meets their backs goes out again.
-    float distance(glm::vec3 origin, glm::vec3 direction) const;
+    struct Hit {
+        float distance = std::numeric_limits<float>::infinity(); // m along the unit direction; infinity when nothing is hit
+        bool back = false; // of an open mesh
+    };
+    // The first hit. The backs of a closed mesh are not hit: where its sheets part at a hard edge, a ray that only meets their backs goes
+    // out again.
+    Hit hit(glm::vec3 origin, glm::vec3 direction) const;
     std::size_t triangles() const;
     std::size_t bytes() const; // of Embree's scene and its buffers
     float coarseness() const; // how much longer their sides are than wanted; 1: as fine as wanted
@@ -39,7 +45,8 @@ private:
     std::shared_ptr<const Impl> m;
 };
 
-// What a picture of the camera sees of it: metres from the eye, row 0 at the top, infinity where nothing is.
+// What a picture of the camera sees of it: metres from the eye, row 0 at the top, infinity where nothing is, NaN where it sees the back of an
+// open mesh: relief goes in from the side that is seen, so pictures have no such surface.
 Expected<std::vector<float>> distancesSeen(
     const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress = {});
 

@@ -42,7 +42,7 @@ TEST(DisplacedMesh, PlaneAgreesWithTheExactSearch)
         const glm::dvec2 from(0.25 * unit(random), 0.25 * unit(random)), shift(0.2 * unit(random), 0.2 * unit(random));
         const SearchHit hit = exact.hit({from + 0.5, shift, 0.5});
         const glm::dvec3 way(shift.x, -0.2, shift.y);
-        const float distance = surface->distance(glm::vec3(glm::dvec3(from.x, 0.1, from.y) - way), glm::vec3(glm::normalize(way)));
+        const float distance = surface->hit(glm::vec3(glm::dvec3(from.x, 0.1, from.y) - way), glm::vec3(glm::normalize(way))).distance;
         EXPECT_NEAR(double(distance) / glm::length(way) - 1., hit.t, 2e-3);
     }
 }
@@ -55,8 +55,8 @@ TEST(DisplacedMesh, SphereShrinksByTheDepth)
     const auto surface = DisplacedMesh::build(sphere, HeightField(8, 8, std::vector<float>(64, 0.f)), parameters, {});
     ASSERT_TRUE(surface);
     const float depth = 0.1f * sphere.metresPerUV;
-    EXPECT_NEAR(surface->distance({0.f, 0.1f, 2.f}, {0.f, 0.f, -1.f}), 2.f - std::sqrt((0.5f - depth) * (0.5f - depth) - 0.01f), 1e-3f);
-    EXPECT_TRUE(std::isinf(surface->distance({0.f, 0.5f - 0.5f * depth, 2.f}, {0.f, 0.f, -1.f}))); // between it and the mesh
+    EXPECT_NEAR(surface->hit({0.f, 0.1f, 2.f}, {0.f, 0.f, -1.f}).distance, 2.f - std::sqrt((0.5f - depth) * (0.5f - depth) - 0.01f), 1e-3f);
+    EXPECT_TRUE(std::isinf(surface->hit({0.f, 0.5f - 0.5f * depth, 2.f}, {0.f, 0.f, -1.f}).distance)); // between it and the mesh
 }
 
 TEST(DisplacedMesh, TheInsideOfAClosedMeshIsNotSeen)
@@ -68,9 +68,39 @@ TEST(DisplacedMesh, TheInsideOfAClosedMeshIsNotSeen)
                plane = DisplacedMesh::build(*makeShape("plane"), low, parameters, {});
     ASSERT_TRUE(box && plane);
     // Between the top and its sheet, towards the back of the next side's sheet.
-    EXPECT_TRUE(std::isinf(box->distance({0.f, 0.45f, 0.f}, {1.f, 0.f, 0.f})));
-    EXPECT_NEAR(box->distance({2.f, 0.45f, 0.f}, {-1.f, 0.f, 0.f}), 1.6f, 1e-5f);
-    EXPECT_NEAR(plane->distance({0.f, -1.f, 0.f}, {0.f, 1.f, 0.f}), 0.9f, 1e-5f); // an open one has two sides
+    EXPECT_TRUE(std::isinf(box->hit({0.f, 0.45f, 0.f}, {1.f, 0.f, 0.f}).distance));
+    EXPECT_NEAR(box->hit({2.f, 0.45f, 0.f}, {-1.f, 0.f, 0.f}).distance, 1.6f, 1e-5f);
+    EXPECT_NEAR(plane->hit({0.f, -1.f, 0.f}, {0.f, 1.f, 0.f}).distance, 0.9f, 1e-5f); // an open one has two sides
+}
+
+TEST(DisplacedMesh, SeamsAreClosedByWalls)
+{
+    // The plane cut along x = 0; the right half sees another place of the texture, 0.1 m lower than the left.
+    Mesh mesh = *makeShape("plane");
+    const std::vector<Vertex> old = mesh.vertices;
+    mesh.vertices.clear(), mesh.indices.clear();
+    for (const float side : {-0.5f, 0.f})
+        for (const float z : {-0.5f, 0.5f})
+            for (const float x : {side, side + 0.5f}) {
+                mesh.vertices.push_back(old.front());
+                mesh.vertices.back().position = {x, 0.f, z};
+                mesh.vertices.back().uv = {side < 0.f ? 0.25f : 0.75f, 0.5f};
+            }
+    for (const std::uint32_t first : {0u, 4u})
+        for (const std::uint32_t k : {0u, 2u, 1u, 1u, 2u, 3u})
+            mesh.indices.push_back(first + k);
+    mesh.parts = {{}};
+    mesh.parts.front().indexCount = 12;
+    Parameters parameters;
+    parameters.depth = 0.1f;
+    const HeightField field(4, 1, {1.f, 1.f, 0.f, 0.f});
+    const auto surface = DisplacedMesh::build(mesh, field, parameters, {});
+    ASSERT_TRUE(surface);
+    EXPECT_NEAR(surface->hit({-0.3f, 1.f, 0.1f}, {0.f, -1.f, 0.f}).distance, 1.f, 1e-5f);
+    EXPECT_NEAR(surface->hit({0.3f, 1.f, 0.1f}, {0.f, -1.f, 0.f}).distance, 1.1f, 1e-5f);
+    EXPECT_NEAR(surface->hit({0.4f, -0.05f, 0.1f}, {-1.f, 0.f, 0.f}).distance, 0.4f, 1e-5f);
+    EXPECT_TRUE(surface->hit({0.3f, -1.f, 0.1f}, {0.f, 1.f, 0.f}).back);
+    EXPECT_FALSE(surface->hit({0.3f, 1.f, 0.1f}, {0.f, -1.f, 0.f}).back);
 }
 
 TEST(DisplacedMesh, KeepsToItsBudgetAndSaysSo)
