@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/mesh_upload.h"
+#include "core/mesh/across.h"
 #include "core/mesh/borders.h"
 #include "core/mesh/closed.h"
 #include "core/mesh/curvature.h"
@@ -46,6 +47,32 @@ std::vector<glm::vec4> borderTexels(const Mesh& mesh)
     texels.insert(texels.end(), borders.segments.begin(), borders.segments.end());
     return texels;
 }
+// What shaders/prisms.glsl reads.
+constexpr std::size_t kVertexTexels = 5, kTriangleTexels = 2;
+
+std::vector<glm::vec4> prismTexels(const Mesh& mesh, const std::vector<std::uint32_t>& across, std::string_view part)
+{
+    std::vector<char> plain(mesh.indices.size() / 3, 0); // by triangle: there the relief ends
+    for (const MeshPart& each : mesh.parts)
+        if (isPlain(mesh, each, part))
+            std::fill_n(plain.begin() + std::ptrdiff_t(each.firstIndex / 3), each.indexCount / 3, char(1));
+    const std::vector<glm::vec3> push = pushDirections(mesh);
+    std::vector<glm::vec4> texels;
+    texels.reserve(1 + kVertexTexels * mesh.vertices.size() + kTriangleTexels * (mesh.indices.size() / 3));
+    texels.emplace_back(float(1 + kVertexTexels * mesh.vertices.size()), 0.f, 0.f, 0.f);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Vertex& vertex = mesh.vertices[i];
+        texels.insert(texels.end(),
+            {glm::vec4(vertex.position, vertex.uv.x), glm::vec4(vertex.normal, vertex.uv.y), glm::vec4(push[i], 0.f),
+                glm::vec4(vertex.dPdu, 0.f), glm::vec4(vertex.dPdv, 0.f)});
+    }
+    const auto number = [&](std::uint32_t edge) { return edge == kNoEdge || plain[edge / 3] ? -1.f : float(edge); };
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        texels.emplace_back(float(mesh.indices[i]), float(mesh.indices[i + 1]), float(mesh.indices[i + 2]), 0.f);
+        texels.emplace_back(number(across[i]), number(across[i + 1]), number(across[i + 2]), 0.f);
+    }
+    return texels;
+}
 } // namespace
 
 void MeshUpload::hold(const std::shared_ptr<const Mesh>& mesh)
@@ -72,10 +99,33 @@ bool MeshUpload::hasBorders()
     return m_borders->texture() != 0;
 }
 
-void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters)
+bool MeshUpload::hasPrisms()
+{
+    constexpr std::size_t kExact = std::size_t(1) << 24; // floats count so far
+    GLint limit = 0; // texels
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    const std::size_t texels = 1 + kVertexTexels * m_mesh->vertices.size() + kTriangleTexels * (m_mesh->indices.size() / 3);
+    return texels <= std::size_t(std::max(limit, 0)) && std::max(texels, m_mesh->indices.size()) < kExact;
+}
+
+void MeshUpload::bindPrisms(const LinkedProgram& program, const Pose& pose, std::string_view part)
+{
+    if (std::pair are(pose, std::string(part)); m_prismsAre != are) {
+        if (m_across.empty())
+            m_across = edgesAcross(*m_mesh);
+        glActiveTexture(GL_TEXTURE0 + kBorderUnit);
+        m_prisms.fill(prismTexels(posed(*m_mesh, pose), m_across, part), m_mesh->deformation ? GL_STREAM_DRAW : GL_STATIC_DRAW);
+        m_prismsAre = std::move(are);
+    }
+    program.bind("prismMap", GL_TEXTURE_BUFFER, m_prisms.texture(), kBorderUnit); // a program reads one of the two
+}
+
+void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part)
 {
     if (m_mesh->deformation && program.reads("poseMap"))
         m_pose.bind(program, *m_mesh, poseOf(*m_mesh, parameters), parameters.silhouettes);
+    if (program.reads("prismMap"))
+        bindPrisms(program, poseOf(*m_mesh, parameters), part);
     if (program.reads("borderMap") && hasBorders())
         program.bind("borderMap", GL_TEXTURE_BUFFER, m_borders->texture(), kBorderUnit);
 }

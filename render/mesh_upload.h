@@ -2,11 +2,14 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/mesh/mesh.h"
+#include "core/mesh/pose.h"
 #include "render/pose_upload.h"
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace relievo {
 
@@ -18,9 +21,10 @@ public:
     // isClosed and whether bordersOf finds any; for silhouettes.
     bool isClosed();
     bool hasBorders();
+    bool hasPrisms(); // whether the driver's buffers are large enough for the mesh
 
-    // Binds the pose that clip and time name, and the borders, for a program that reads them.
-    void bind(const LinkedProgram& program, const Parameters& parameters);
+    // Binds the pose that clip and time name, the borders and the prisms, for a program that reads them. part: State::part.
+    void bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part);
 
     // Which parts of the mesh a draw is for: those with the relief of the material, or those without any. `part` is State::part.
     enum class Parts { Relief, Plain };
@@ -31,6 +35,7 @@ public:
 
 private:
     void makeVertices();
+    void bindPrisms(const LinkedProgram& program, const Pose& pose, std::string_view part);
 
     std::shared_ptr<const Mesh> m_mesh;
     VertexArray m_vertexArray;
@@ -38,6 +43,9 @@ private:
     int m_curvatureKind = 0; // of what lies in m_curvature
     std::optional<bool> m_closed;
     std::optional<BufferTexture> m_borders; // without a texture when the mesh has none
+    BufferTexture m_prisms;
+    std::optional<std::pair<Pose, std::string>> m_prismsAre; // of this pose and part
+    std::vector<std::uint32_t> m_across; // core/mesh/across.h
     PoseUpload m_pose;
 };
 

@@ -41,7 +41,7 @@ ProgramFeatures withoutRelief(ProgramFeatures features)
 {
     features.technique = "flat";
     features.maps.clear();
-    features.curved = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows = features.coarser
+    features.curved = features.prisms = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows = features.coarser
         = features.clamps = false;
     return features;
 }
@@ -219,13 +219,14 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         program.set(parameters);
         program.set(values);
         m->uploads.bindMaps(program, wrap, technique->bound, bound);
-        m->mesh.bind(program, parameters);
+        m->mesh.bind(program, parameters, state.part);
         if (program.reads("shadowMap"))
             program.bind("shadowMap", GL_TEXTURE_2D, m->shadowMap.texture(), kShadowUnit);
     };
     ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
     features.posed = bool(mesh.deformation);
-    features.borders = features.curved && m->mesh.hasBorders();
+    features.prisms = features.prisms && m->mesh.hasPrisms();
+    features.borders = features.curved && !features.prisms && m->mesh.hasBorders();
     if (features.objectShadows) {
         m->drawShadowMap(state, features, parameters, uniforms, used, use, error);
         bindTarget(target);

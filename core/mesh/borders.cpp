@@ -2,10 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/borders.h"
-#include "core/mesh/places.h"
+#include "core/mesh/across.h"
 #include <algorithm>
 #include <complex>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <queue>
 #include <unordered_map>
@@ -13,8 +12,6 @@
 namespace relievo {
 
 namespace {
-constexpr std::uint32_t kNone = ~0u;
-constexpr float kHard = 0.866f; // cosine between normals; sheets that lean less overlap enough to be taken for one
 constexpr double kStraight = 1e-3; // UV: how far corners may lie off a segment that stands for several edges
 
 using Point = std::complex<double>; // in UV space
@@ -28,15 +25,9 @@ glm::vec2 vec(Point p)
     return {float(p.real()), float(p.imag())};
 }
 
-// An edge of a triangle is numbered by its first corner in Mesh::indices.
-std::uint32_t nextCorner(std::uint32_t edge)
-{
-    return edge % 3 == 2 ? edge - 2 : edge + 1;
-}
-
 struct Edges {
     const Mesh& mesh;
-    std::vector<std::uint32_t> across; // the edge on the other side of an edge where the surface goes on; kNone: a border
+    std::vector<std::uint32_t> across;
 
     const Vertex& corner(std::uint32_t edge) const { return mesh.vertices[mesh.indices[edge]]; }
     Point uv(std::uint32_t edge) const { return point(corner(edge).uv); }
@@ -46,34 +37,7 @@ struct Edges {
         const Point a = uv(3 * triangle), b = uv(3 * triangle + 1) - a, c = uv(3 * triangle + 2) - a;
         return std::imag(std::conj(b) * c) > 0.;
     }
-    bool goesOn(std::uint32_t edge, std::uint32_t other) const
-    {
-        const Vertex &a = corner(edge), &b = corner(nextCorner(edge)), &otherA = corner(nextCorner(other)), &otherB = corner(other);
-        if (std::min(glm::dot(a.normal, otherA.normal), glm::dot(b.normal, otherB.normal)) > kHard)
-            return true;
-        const glm::vec3 beyond = corner(nextCorner(nextCorner(other))).position - a.position;
-        return glm::dot(beyond, a.normal + b.normal) > 0.f; // a concave edge
-    }
 };
-
-Edges edgesOf(const Mesh& mesh)
-{
-    Edges edges{mesh, std::vector<std::uint32_t>(mesh.indices.size(), kNone)};
-    const std::vector<std::uint32_t> place = placesOf(mesh);
-    const auto key
-        = [&](std::uint32_t from, std::uint32_t to) { return std::uint64_t(place[mesh.indices[from]]) << 32 | place[mesh.indices[to]]; };
-    std::unordered_multimap<std::uint64_t, std::uint32_t> byEnds;
-    byEnds.reserve(mesh.indices.size());
-    for (std::uint32_t e = 0; e < mesh.indices.size(); ++e)
-        byEnds.emplace(key(e, nextCorner(e)), e);
-    for (std::uint32_t e = 0; e < mesh.indices.size(); ++e) {
-        const auto [from, to] = byEnds.equal_range(key(nextCorner(e), e));
-        for (auto other = from; other != to && edges.across[e] == kNone; ++other)
-            if (edges.goesOn(e, other->second))
-                edges.across[e] = other->second;
-    }
-    return edges;
-}
 
 struct Segment {
     Point from, to;
@@ -128,7 +92,7 @@ void addBorders(const Edges& edges, Queue& queue)
     std::unordered_map<std::uint32_t, std::uint32_t> byFirst; // border edge that begins at a vertex
     std::vector<std::uint32_t> borders;
     for (std::uint32_t e = 0; e < edges.across.size(); ++e)
-        if (edges.across[e] == kNone)
+        if (edges.across[e] == kNoEdge)
             byFirst[edges.mesh.indices[e]] = e, borders.push_back(e);
     std::vector<char> done(edges.across.size(), 0);
     std::uint32_t number = 0;
@@ -154,7 +118,7 @@ void addBorders(const Edges& edges, Queue& queue)
 
 Borders bordersOf(const Mesh& mesh, const BorderLimits& limits)
 {
-    const Edges edges = edgesOf(mesh);
+    const Edges edges{mesh, edgesAcross(mesh)};
     Queue queue;
     addBorders(edges, queue);
     if (queue.empty())
@@ -169,7 +133,7 @@ Borders bordersOf(const Mesh& mesh, const BorderLimits& limits)
             continue;
         list.push_back(visit), ++count;
         for (std::uint32_t e = 3 * visit.triangle; e < 3 * visit.triangle + 3; ++e)
-            if (const std::uint32_t other = edges.across[e]; other != kNone) {
+            if (const std::uint32_t other = edges.across[e]; other != kNoEdge) {
                 const Segment segment = unfolded(edges, e, other, visit.segment);
                 if (const double far = distance(edges, other / 3, segment); far <= double(limits.reach))
                     queue.push({far, other / 3, visit.number, segment});

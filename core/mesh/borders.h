@@ -17,9 +17,8 @@ struct Borders {
     std::vector<glm::vec4> segments;
 };
 
-// A border is an edge without a second triangle, or a convex one where the normals differ by more than 30 degrees: displaced surfaces part
-// there. Edges that only a UV seam parts are none. reach: UV units; perTriangle: the most segments a triangle has; budget: that all have,
-// beyond it the farthest of each triangle are left out.
+// A border is an edge that edgesAcross joins to none. reach: UV units; perTriangle: the most segments a triangle has; budget: that all
+// have, beyond it the farthest of each triangle are left out.
 struct BorderLimits {
     float reach = 0.5f;
     std::uint32_t perTriangle = 24;

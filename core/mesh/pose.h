@@ -74,6 +74,7 @@ struct Deformation {
 struct Pose {
     std::vector<glm::mat4> joints; // as many as Deformation::joints
     std::vector<float> weights; // as many as Deformation::targets
+    bool operator==(const Pose&) const = default;
 };
 
 // The pose in which the mesh is stored: every joint the identity, every weight 0. Without a deformation: empty.

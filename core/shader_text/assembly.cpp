@@ -171,7 +171,8 @@ std::string uniformDeclarations(const std::string& text)
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
     declare("samplerBuffer", "borderMap");
-    declare("float", "firstTriangle"); // that is drawn, of those in the border map
+    declare("samplerBuffer", "prismMap"); // see prisms.glsl
+    declare("float", "firstTriangle"); // that is drawn, of those in these maps
     declare("samplerCube", "environmentMap");
     declare("sampler2DShadow", "shadowMap");
     declare("samplerBuffer", "poseMap"); // see place_posed.glsl

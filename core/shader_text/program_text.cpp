@@ -139,9 +139,11 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         .file(features.faded ? "depth_faded.glsl" : "depth_constant.glsl")
         .generated(mapFunctions(features.maps, drafted->text));
     searchFiles(part, *technique, features);
-    if (features.curved)
+    if (features.curved && !features.prisms)
         part.file(features.borders ? "borders_cut.glsl" : "borders_none.glsl");
-    part.file(features.curved ? "sight_curved.glsl" : "sight_straight.glsl")
+    part.file(!features.curved    ? "sight_straight.glsl"
+                : features.prisms ? "sight_prisms.glsl"
+                                  : "sight_curved.glsl")
         .file(features.view == "outline" ? "holes_shown.glsl" : "holes_cut.glsl")
         .file(features.depthOfHit ? "depth_of_hit.glsl" : "depth_of_polygon.glsl");
     body(part);
@@ -188,6 +190,7 @@ ProgramFeatures programFeatures(
     features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
     features.frames = parameters.frames;
     features.curved = parameters.silhouettes != 0 && row && row->searches;
+    features.prisms = features.curved && parameters.silhouettes == 3 && view != "error"; // which walks one ray of its own
     features.depthOfHit = parameters.depthOfHit && row && row->displaces;
     features.objectShadows = parameters.objectShadows && (lit || view == "shadow");
     features.faded = parameters.edgeFade > 0.f;

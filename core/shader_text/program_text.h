@@ -26,6 +26,7 @@ struct ProgramFeatures {
     bool coarser = false; // an exact technique reads mip levels
     int frames = 0; // the parameter
     bool curved = false; // silhouettes
+    bool prisms = false; // and by the mesh itself, which the renderer has to provide
     bool borders = false; // of a mesh that has some
     bool depthOfHit = false; // the parameter
     bool faded = false; // edgeFade

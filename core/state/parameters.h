@@ -131,9 +131,9 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
     {&Parameters::frames, "frames", "Frames", Group::Mesh, 0.f, 2.f, "", "", "vertex derivatives thesis",
         "How the texture lies on the mesh: from the vertices, from the screen's derivatives (needs no tangents), or from those as the "
         "thesis on derivative-based relief mapping has it, which loses skew."},
-    {&Parameters::silhouettes, "silhouettes", "Silhouettes", Group::Mesh, 0.f, 2.f, "", "technique", "off axes quadric",
+    {&Parameters::silhouettes, "silhouettes", "Silhouettes", Group::Mesh, 0.f, 3.f, "", "technique", "off axes quadric prisms",
         "Bends the search ray over the curved mesh and cuts off what is past its outline or a border. Axes: curvature along the tangents "
-        "only, as in the papers; quadric: all of it."},
+        "only, as in the papers; quadric: all of it; prisms: the ray goes from triangle to triangle, slower, and right on any mesh."},
     {&Parameters::depthOfHit, "depthOfHit", "Depth of the relief", Group::Mesh, 0.f, 1.f, "", "", "",
         "Writes the depth of the point seen instead of the polygon's, so that surfaces meet where their relief does."},
     {&Parameters::edgeFade, "edgeFade", "Fade at edges", Group::Mesh, 0.f, 1.f, "cos", "", "",

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/displaced_mesh.h"
+#include "core/mesh/across.h"
 #include "core/mesh/closed.h"
-#include "core/mesh/places.h"
 #include "core/mesh/push.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/state.h"
@@ -16,7 +16,6 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <tbb/parallel_for.h>
-#include <unordered_map>
 
 namespace relievo {
 
@@ -126,28 +125,22 @@ struct Plan {
     }
 };
 
-// The walls that close what opens between two triangles that share a smooth edge: at UV seams their heights differ, and where they are cut
-// into different numbers of pieces their sides do. Three indices a micro-triangle.
-std::vector<std::uint32_t> wallsOf(const Base& base, const Plan& plan)
+// The walls that close what opens between two triangles where the surface goes on: at UV seams their heights differ, at edges that are not
+// smooth their ways in do, and where they are cut into different numbers of pieces their sides do. Three indices a micro-triangle.
+std::vector<std::uint32_t> wallsOf(const Mesh& mesh, const Plan& plan)
 {
-    const Mesh& mesh = base.mesh;
-    const std::vector<std::uint32_t> place = placesOf(mesh);
-    const auto next = [](std::uint32_t edge) { return edge % 3 == 2 ? edge - 2 : edge + 1; };
-    const auto vertex = [&](std::uint32_t edge) -> const Vertex& { return mesh.vertices[mesh.indices[edge]]; };
-    const auto isOne = [&](std::uint32_t a, std::uint32_t b) { return glm::dot(vertex(a).normal, vertex(b).normal) > 0.999f; };
-    std::unordered_map<std::uint64_t, std::uint32_t> byEnds;
+    const std::vector<std::uint32_t> across = edgesAcross(mesh);
+    const auto parts = [&](std::uint32_t own, std::uint32_t other) {
+        const Vertex &a = mesh.vertices[mesh.indices[own]], &b = mesh.vertices[mesh.indices[other]];
+        return a.uv != b.uv || a.normal != b.normal;
+    };
     std::vector<std::uint32_t> walls;
     for (std::uint32_t e = 0; e < mesh.indices.size(); ++e) {
-        const std::uint64_t from = place[mesh.indices[e]], to = place[mesh.indices[next(e)]];
-        const auto opposite = byEnds.find(to << 32 | from);
-        if (opposite == byEnds.end()) {
-            byEnds[from << 32 | to] = e;
+        const std::uint32_t o = across[e];
+        if (o == kNoEdge || o < e)
             continue;
-        }
-        const std::uint32_t o = opposite->second, n = plan.pieces[e / 3], m = plan.pieces[o / 3];
-        byEnds.erase(opposite);
-        const bool seam = vertex(e).uv != vertex(next(o)).uv || vertex(next(e)).uv != vertex(o).uv;
-        if (!(seam || n != m) || !isOne(e, next(o)) || !isOne(next(e), o))
+        const std::uint32_t n = plan.pieces[e / 3], m = plan.pieces[o / 3];
+        if (n == m && !parts(e, nextCorner(o)) && !parts(nextCorner(e), o))
             continue;
         for (std::uint32_t i = 0, j = 0; i < n || j < m;) {
             const std::uint32_t own = plan.onSide(e, i), other = plan.onSide(o, m - j);
@@ -226,7 +219,7 @@ Expected<DisplacedMesh> DisplacedMesh::build(
     const Plan cuts = plan(base, detail);
     const std::vector<float> reliefs = reliefOfTriangles(mesh);
 
-    const std::vector<std::uint32_t> walls = wallsOf(base, cuts);
+    const std::vector<std::uint32_t> walls = wallsOf(mesh, cuts);
 
     const auto impl = std::make_shared<Impl>();
     impl->sheets = cuts.firstTriangle.back();
@@ -244,8 +237,8 @@ Expected<DisplacedMesh> DisplacedMesh::build(
         rtcSetGeometryIntersectFilterFunction(geometry, onlyFronts);
     auto* vertices = static_cast<float*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), cuts.firstVertex.back()));
-    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), impl->triangles));
+    auto* indices = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), impl->triangles));
     if (vertices && indices) {
         std::atomic<std::size_t> done = 0;
         tbb::parallel_for(std::size_t(0), cuts.pieces.size(), [&](std::size_t i) {

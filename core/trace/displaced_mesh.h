@@ -15,8 +15,8 @@
 namespace relievo {
 
 // Every point of the mesh, pushed out for the midlevel, then moved in along the interpolated unit normal by the relief's depth there (none
-// on plain parts) (height field bilinear; design.md section 3). Its triangles are cut into micro-triangles of half a texel; what opens between them at
-// UV seams is closed by walls.
+// on plain parts) (height field bilinear; design.md section 3). Its triangles are cut into micro-triangles of half a texel; what opens
+// between them at UV seams is closed by walls.
 class DisplacedMesh {
 public:
     struct Detail {
@@ -45,8 +45,8 @@ private:
     std::shared_ptr<const Impl> m;
 };
 
-// What a picture of the camera sees of it: metres from the eye, row 0 at the top, infinity where nothing is, NaN where it sees the back of an
-// open mesh: relief goes in from the side that is seen, so pictures have no such surface.
+// What a picture of the camera sees of it: metres from the eye, row 0 at the top, infinity where nothing is, NaN where it sees the back of
+// an open mesh: relief goes in from the side that is seen, so pictures have no such surface.
 Expected<std::vector<float>> distancesSeen(
     const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress = {});
 

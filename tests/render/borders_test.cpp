@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shader_text/program_text.h"
 #include "render/mesh_errors.h"
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 using namespace relievo;
@@ -83,6 +85,63 @@ TEST(Borders, ReliefEndsWhereTheDisplacedMeshDoes)
     }
 }
 
+// On coarse meshes, over seams of the texture, at hard edges and in a pose that the file does not store.
+TEST(Prisms, FollowTheMesh)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    for (const char* mesh : {"torus", "box", "teapot", "character"}) {
+        State state = onMesh(mesh);
+        state.parameters.time = 0.4f, state.parameters.depth = 0.04f;
+        const auto resources = *loadResources(state, {}, {});
+        const glm::vec3 size = resources.mesh->boundsMax - resources.mesh->boundsMin;
+        state.parameters.tiling = 4.f * resources.mesh->metresPerUV / std::max({size.x, size.y, size.z});
+        MeshErrors none, quadric, prisms;
+        Warnings warnings;
+        for (const float yaw : {30.f, 300.f}) {
+            state.camera.yaw = yaw;
+            const auto exact = exactDistances(state, resources, 400, 300, warnings);
+            ASSERT_TRUE(exact) << mesh;
+            for (const auto& [kind, sum] : {std::pair{0, &none}, {2, &quadric}, {3, &prisms}}) {
+                state.parameters.silhouettes = kind;
+                const auto errors = meshErrors(renderer, state, resources, *exact, 400, 300);
+                ASSERT_TRUE(errors) << mesh;
+                sum->coverage += errors->coverage, sum->depthRmse += errors->depthRmse, sum->invalid += errors->invalid;
+            }
+        }
+        EXPECT_LT(prisms.coverage, 0.2 * none.coverage) << mesh;
+        EXPECT_LT(prisms.coverage, quadric.coverage + 1e-4) << mesh;
+        EXPECT_LT(prisms.depthRmse, quadric.depthRmse + 0.01) << mesh;
+        EXPECT_EQ(prisms.invalid, 0.) << mesh;
+    }
+}
+
+// Relief ends where the material does, also for a ray that comes from inside.
+TEST(Prisms, EndAtPlainParts)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    State state = onMesh("plane");
+    state.parameters.silhouettes = 3;
+    state.camera.pitch = 10.f;
+    auto resources = *loadResources(state, {}, {});
+    Mesh halves = *resources.mesh;
+    const std::uint32_t half = std::uint32_t(halves.indices.size() / 6 * 3);
+    halves.parts = {{"near", "stone", 0, half, 1.f}, {"far", "glass", half, std::uint32_t(halves.indices.size()) - half, 1.f}};
+    resources.mesh = std::make_shared<const Mesh>(halves);
+    const auto cutOff = [&](const char* part) {
+        state.part = part;
+        Renderer renderer;
+        const Image image = *drawPicture(renderer, state, 0, resources, "outline", 240, 180, 1, true);
+        int count = 0;
+        for (int i = 0; i < 240 * 180; ++i)
+            count += image.value(i % 240, i / 240, 3) > 0.5f && image.value(i % 240, i / 240, 0) > 2.f * image.value(i % 240, i / 240, 1);
+        return count;
+    };
+    EXPECT_GT(cutOff("stone") + cutOff("glass"), cutOff("") + 20);
+}
+
 // Nearly closed meshes are cut off as closed ones are: their inside does not show behind the front.
 TEST(Borders, AHoleAtTheBackDoesNotFillTheOutline)
 {
@@ -115,8 +174,12 @@ TEST(Borders, OnlyMeshesWithBordersReadThem)
     ProgramFeatures features;
     features.technique = "cell-cone", features.maps = {MapKind::Height}, features.curved = true;
     EXPECT_FALSE(meshProgram(features, embeddedReader())->fragment.mentions("borderMap"));
+    EXPECT_FALSE(meshProgram(features, embeddedReader())->fragment.mentions("prismMap"));
     features.borders = true;
     EXPECT_TRUE(meshProgram(features, embeddedReader())->fragment.mentions("borderMap"));
+    features.prisms = true;
+    EXPECT_TRUE(meshProgram(features, embeddedReader())->fragment.mentions("prismMap"));
+    EXPECT_FALSE(meshProgram(features, embeddedReader())->fragment.mentions("borderMap"));
     features.curved = false;
     EXPECT_FALSE(meshProgram(features, embeddedReader())->fragment.mentions("borderMap"));
 }

@@ -311,7 +311,8 @@ TEST(Invalid, NoPixelIsNoNumber)
         for (const int frames : {0, 1, 2}) {
             State state = stateOn(mesh);
             Parameters& p = state.parameters;
-            p.frames = frames, p.silhouettes = 2, p.depthOfHit = p.objectShadows = p.shadows = true, p.edgeFade = frames == 1 ? 0.3f : 0.f;
+            p.frames = frames, p.silhouettes = frames == 0 ? 3 : 2, p.depthOfHit = p.objectShadows = p.shadows = true,
+            p.edgeFade = frames == 1 ? 0.3f : 0.f;
             const Resources resources = resourcesOf(state);
             const Image invalid = picture(renderer, state, resources, "invalid", 96, 72);
             for (int y = 0; y < invalid.height; ++y)
