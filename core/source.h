@@ -18,7 +18,9 @@
 
 namespace relievo {
 
-// The large data behind a State. Cheap to copy; members are never null after loadResources.
+struct SeenDistances; // core/trace/displaced_mesh.h
+
+// The large data behind a State. Cheap to copy; members are never null after loadResources, but `seen`.
 struct Resources {
     std::shared_ptr<const Material> material;
     std::shared_ptr<const Mesh> mesh;
@@ -31,6 +33,8 @@ struct Resources {
         bool allLevels = false;
     };
     std::map<std::string, Bound, std::less<>> bounds;
+    // Of the picture about to be drawn, for the error view on a mesh; null: that view measures the search alone.
+    std::shared_ptr<const SeenDistances> seen;
     // What the State named when these were loaded: decides what must be loaded again.
     std::string meshName, environmentName;
 };

@@ -2,23 +2,26 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/analysis/report.h"
 #include "core/trace/displaced_mesh.h"
 #include "render/windowless.h"
 
 namespace relievo {
 
-struct MeshErrors {
-    double coverage = 0.; // pixels that only one of the two covers, share of those that either covers
-    double depthRmse = 0.; // of the distance along the ray where both cover, in pixels' sizes there
-    double invalid = 0.; // pixels of the picture that are not finite
-};
+// Whether the displaced mesh answers better than a search in the plane: for every mesh but the built-in plane. Needs a height map.
+bool hasMeshReference(const State& state, const Resources& resources);
+
+// What the pane's own camera sees of the displaced mesh, in a picture of that size. Needs no context.
+// coarse: told when the micro-triangles are larger than wanted.
+Expected<SeenDistances> exactDistances(const State& state, std::size_t pane, const Resources& resources, int width, int height,
+    Warnings& coarse, const Progress& progress = {});
 
 // The State's first pane with its own camera. Full resolution, mip levels off. Needs a current context and a height map.
-Expected<MeshErrors> meshErrors(
-    Renderer& renderer, const State& state, const Resources& resources, const std::vector<float>& exact, int width, int height);
+Expected<MeshRow> meshErrors(Renderer& renderer, const State& state, const Resources& resources, const SeenDistances& exact);
 
-// Metres from the eye at each pixel of that picture, from the displaced mesh; infinity where there is nothing, NaN at backs (distancesSeen).
-Expected<std::vector<float>> exactDistances(
-    const State& state, const Resources& resources, int width, int height, Warnings& warnings, const Progress& progress = {});
+// Outline, depth and cost of what the group "On the mesh" and shadows change, one at a time, from the State with all of them off, searched
+// by cell-cone in five views around the mesh. timed: also the times of frames.
+Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, const Resources& resources, int width, int height, bool timed,
+    Warnings& coarse, const Progress& progress = {});
 
 } // namespace relievo

@@ -6,6 +6,7 @@
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
+#include "core/trace/displaced_mesh.h"
 #include "render/clear_target.h"
 #include "render/mesh_upload.h"
 #include "render/program_cache.h"
@@ -41,8 +42,8 @@ ProgramFeatures withoutRelief(ProgramFeatures features)
 {
     features.technique = "flat";
     features.maps.clear();
-    features.curved = features.prisms = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows = features.coarser
-        = features.clamps = false;
+    features.curved = features.prisms = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows
+        = features.coarser = features.clamps = false;
     return features;
 }
 } // namespace
@@ -219,13 +220,15 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         program.set(parameters);
         program.set(values);
         m->uploads.bindMaps(program, wrap, technique->bound, bound);
+        m->uploads.bindSeen(program);
         m->mesh.bind(program, parameters, state.part);
         if (program.reads("shadowMap"))
             program.bind("shadowMap", GL_TEXTURE_2D, m->shadowMap.texture(), kShadowUnit);
     };
     ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
     features.posed = bool(mesh.deformation);
-    features.prisms = features.prisms && m->mesh.hasPrisms();
+    features.onMesh = view == "error" && used.seen && used.seen->width == target.width && used.seen->height == target.height;
+    features.prisms = features.prisms && (view != "error" || features.onMesh) && m->mesh.hasPrisms(); // the other walks one ray
     features.borders = features.curved && !features.prisms && m->mesh.hasBorders();
     if (features.objectShadows) {
         m->drawShadowMap(state, features, parameters, uniforms, used, use, error);

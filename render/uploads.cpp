@@ -3,11 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/uploads.h"
 #include "core/maps/normal.h"
+#include "core/trace/displaced_mesh.h"
 #include "render/texture_units.h"
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <string>
 #include <tbb/parallel_for.h>
 
@@ -215,6 +217,8 @@ void Uploads::hold(const Resources& resources)
         return held == resources.bounds.end() || held->second.texture != entry.second.map;
     });
     m_resources = resources;
+    if (!resources.seen)
+        m_seen = Texture(), m_uploadedSeen = nullptr;
     if (!resources.material->height)
         m_slopes = Map(), m_uploadedSlopes = nullptr;
     for (const MapKindRow& row : kMapKinds) { // a map that is gone frees its texture
@@ -298,10 +302,32 @@ void Uploads::bindMaps(
     }
 }
 
+void Uploads::bindSeen(const LinkedProgram& program)
+{
+    if (!program.reads("exactMap"))
+        return;
+    if (m_uploadedSeen != m_resources.seen) {
+        m_uploadedSeen = m_resources.seen;
+        const SeenDistances& seen = *m_uploadedSeen;
+        std::vector<float> rows; // OpenGL's first row is the lowest
+        rows.reserve(seen.metres.size());
+        for (int y = seen.height - 1; y >= 0; --y)
+            for (int x = 0; x < seen.width; ++x)
+                rows.push_back(std::isnan(seen.at(x, y)) ? -1.f : std::min(seen.at(x, y), std::numeric_limits<float>::max()));
+        glActiveTexture(GL_TEXTURE0 + kUploadUnit);
+        m_seen = newTexture();
+        glBindTexture(GL_TEXTURE_2D, *m_seen);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, seen.width, seen.height, 0, GL_RED, GL_FLOAT, rows.data());
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    }
+    program.bind("exactMap", GL_TEXTURE_2D, *m_seen, kExactUnit);
+}
+
 int Uploads::textureCount() const
 {
     const auto maps = std::ranges::count_if(m_maps, [](const Map& map) { return bool(map.texture); });
-    return int(maps) + int(m_bounds.size()) + (m_slopes.texture ? 1 : 0) + (m_environment ? 1 : 0);
+    return int(maps) + int(m_bounds.size()) + (m_slopes.texture ? 1 : 0) + (m_environment ? 1 : 0) + (m_seen ? 1 : 0);
 }
 
 } // namespace relievo

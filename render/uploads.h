@@ -37,6 +37,9 @@ public:
     // bound: row of kMaps and texture of the technique, or nothing.
     void bindMaps(const LinkedProgram& program, Wrap wrap, std::string_view boundKey, const std::shared_ptr<const SearchTexture>& bound);
 
+    // Resources::seen, for a program that reads it.
+    void bindSeen(const LinkedProgram& program);
+
     // How many textures lie in the context: tests see that nothing unused is uploaded.
     int textureCount() const;
 
@@ -52,6 +55,8 @@ private:
     Resources m_resources;
     std::array<std::shared_ptr<const void>, kMapKindCount> m_uploadedMaps; // whose pixels lie in m_maps
     std::array<Map, kMapKindCount> m_maps;
+    Texture m_seen;
+    std::shared_ptr<const SeenDistances> m_uploadedSeen;
     Map m_slopes; // of the height map, for materials without a normal map
     std::shared_ptr<const void> m_uploadedSlopes;
     Wrap m_slopesWrap = Wrap::Repeat;

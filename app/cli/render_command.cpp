@@ -5,6 +5,7 @@
 #include "core/image/image_file.h"
 #include "core/state/views.h"
 #include "render/legend.h"
+#include "render/mesh_errors.h"
 #include "render/windowless.h"
 #include <charconv>
 #include <cstdio>
@@ -76,6 +77,12 @@ Result<Warnings> render(RenderOptions& options)
     std::vector<ImageLayer> layers;
     const bool linear = lowerSuffix(options.out) == ".exr";
     for (const std::string& view : options.views) {
+        if (view == "error" && hasMeshReference(scene->state, scene->resources)) {
+            auto seen = exactDistances(scene->state, 0, scene->resources, options.width, options.height, scene->warnings);
+            if (!seen)
+                return problem(seen.error());
+            scene->resources.seen = std::make_shared<const SeenDistances>(std::move(*seen));
+        }
         const int samples = options.samples > 0 ? options.samples : findView(view)->isHeat || linear ? 1 : 4;
         auto image = drawPicture(renderer, scene->state, 0, scene->resources, view, options.width, options.height, samples, linear);
         if (!image)

@@ -7,6 +7,7 @@
 #include "core/file.h"
 #include "core/image/image_file.h"
 #include "render/frame_time.h"
+#include "render/mesh_errors.h"
 #include "render/picture_errors.h"
 #include <charconv>
 #include <epoxy/gl.h>
@@ -145,14 +146,21 @@ Expected<void> measurePictures(const ReportOptions& options, const std::vector<S
     report.exactLabel = mostExactSetting(report.plan.settings.front().parameters).label;
     report.pictureWidth = options.fast ? 320 : 800;
     report.pictureHeight = options.fast ? 240 : 600;
-    GpuRun run{renderer, options, report, progress};
+    if (!options.state.mesh.empty()) {
+        auto mesh = measureOnMesh(renderer, subjects.front().state, subjects.front().resources, report.pictureWidth, report.pictureHeight,
+            true, report.warnings, part(progress, 0.f, 0.2f));
+        if (!mesh)
+            return tl::unexpected(mesh.error());
+        report.mesh = std::move(*mesh);
+    }
+    GpuRun run{renderer, options, report, part(progress, 0.2f, 1.f)};
     const std::size_t steps = subjects.size() * report.angles.size();
     for (std::size_t field = 0; field < subjects.size(); ++field)
         for (std::size_t angle = 0; angle < report.angles.size(); ++angle) {
             if (subjects[field].resources.mesh) // of the hard cases only some are pictured
                 if (const auto measured = measureAngle(run, subjects[field], field, angle); !measured)
                     return measured;
-            progress.at(float(field * report.angles.size() + angle + 1) / float(steps));
+            run.progress.at(float(field * report.angles.size() + angle + 1) / float(steps));
         }
     return {};
 }
@@ -253,7 +261,8 @@ Result<Report> measureAndWrite(const ReportOptions& options)
 void addReport(CLI::App& app, int& exitCode)
 {
     auto options = std::make_shared<ReportOptions>();
-    CLI::App* command = app.add_subcommand("report", "Speed against error of the techniques: tables, plots, heat maps");
+    CLI::App* command = app.add_subcommand("report",
+        "Speed against error of the techniques: tables, plots, heat maps; with --mesh also relief on it against the displaced mesh");
     options->state.addTo(*command);
     options->common.addTo(*command);
     command->add_flag("--hard-cases", options->hardCases,

@@ -33,6 +33,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     , m_document(document)
     , m_assets(assets)
     , m_messages(messages)
+    , m_reference(new MeshReference(document, assets, messages, this)) // hears of changes before the picture does
     , m_legend(new HeatLegend(this))
     , m_hint(new Hint(this))
 {
@@ -58,6 +59,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     connect(&document, &Document::changed, this, &Viewport::documentChanged);
     connect(&document, &Document::gestureEnded, this, [this] { refresh(false); });
     connect(&assets, &Assets::resourcesChanged, this, [this] { refresh(false); });
+    connect(m_reference, &MeshReference::made, this, [this] { refresh(false); });
     updateOverlays();
 }
 
@@ -88,8 +90,7 @@ void Viewport::resizeGL(int, int)
 
 Viewport::PaneArea Viewport::area(int pane) const
 {
-    const int width = int(std::lround(this->width() * devicePixelRatioF())),
-              height = int(std::lround(this->height() * devicePixelRatioF()));
+    const int width = scaled(this->width(), devicePixelRatioF()), height = scaled(this->height(), devicePixelRatioF());
     if (paneCount() == 1)
         return {0, width, height};
     const int half = (width - kGap) / 2;
@@ -147,7 +148,7 @@ Expected<void> Viewport::drawPane(int pane, double scale, glm::vec2 shift)
     picture.resize(scaled(size.width, scale), scaled(size.height, scale));
     const Target target{
         picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift, false};
-    return m_renderer->draw(m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view, target);
+    return m_renderer->draw(m_document.state(), std::size_t(pane), m_reference->resourcesOf(pane), m_document.state().view, target);
 }
 
 void Viewport::drawPanes(double scale)
@@ -220,7 +221,10 @@ void Viewport::measure()
     }
     doneCurrent();
     updateOverlays();
-    m_smoothing.start(0);
+    if (m_reference->isShown())
+        m_reference->want(area(0).width, area(0).height);
+    else
+        m_smoothing.start(0);
 }
 
 QImage Viewport::picture()
@@ -234,8 +238,8 @@ QImage Viewport::picture()
     QPainter painter(&sheet);
     for (int pane = 0; pane < paneCount(); ++pane) {
         const PaneArea size = area(pane);
-        const auto drawn = drawPicture(*m_renderer, m_document.state(), std::size_t(pane), m_assets.resources(), m_document.state().view,
-            size.width, size.height, kSmoothSamples, false);
+        const auto drawn = drawPicture(*m_renderer, m_document.state(), std::size_t(pane), m_reference->resourcesOf(pane),
+            m_document.state().view, size.width, size.height, m_reference->isShown() ? 1 : kSmoothSamples, false);
         if (!drawn)
             continue;
         const QImage part(reinterpret_cast<const uchar*>(drawn->data.data()), drawn->width, drawn->height, QImage::Format_RGBA8888);
@@ -275,10 +279,7 @@ void Viewport::updateOverlays()
             continue;
         const auto& measured = m_measured[std::size_t(pane)];
         const QString cost = measured ? tr("%1 fetches/px").arg(measured->meanFetches, 0, 'f', 1) : QString();
-        caption->show(paneCount() == 1 ? QString()
-                : pane == 0            ? "A"
-                                       : "B",
-            techniqueText(state, std::size_t(pane)), cost, pane == m_activePane);
+        caption->show(paneCount() == 1 ? "" : pane == 0 ? "A" : "B", techniqueText(state, std::size_t(pane)), cost, pane == m_activePane);
     }
     const ViewRow* view = findView(state.view);
     m_legend->setVisible(view && view->isHeat);

@@ -4,6 +4,7 @@
 #pragma once
 #include "app/window/assets.h"
 #include "app/window/frame_pacer.h"
+#include "app/window/mesh_reference.h"
 #include "app/window/navigation.h"
 #include "app/window/smoother.h"
 #include "render/renderer.h"
@@ -35,7 +36,8 @@ public:
     int smoothSamples() const { return m_pictures ? m_pictures->smooth[0].count() : 0; }
     static constexpr int kSmoothSamples = 8;
     bool isFull() const { return !m_stale && m_shownScale >= 1.; } // the picture shown has the full resolution
-    bool isSettled() const { return isFull() && !m_measuring.isActive() && !m_smoothing.isActive(); } // nothing more to come
+    // Nothing more to come.
+    bool isSettled() const { return isFull() && !m_measuring.isActive() && !m_smoothing.isActive() && !m_reference->busy(); }
     double shownScale() const { return m_shownScale; }
 
 Q_SIGNALS:
@@ -85,6 +87,7 @@ private:
         std::array<Smoother, 2> smooth;
     };
     std::unique_ptr<Pictures> m_pictures;
+    MeshReference* m_reference;
     FramePacer m_pacer;
     QTimer m_rest, m_measuring, m_smoothing, m_flying, m_shaderWatch;
     bool m_stale = true, m_moving = false;

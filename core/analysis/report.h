@@ -23,6 +23,22 @@ struct HeatRow {
     double meanFetches, meanError;
 };
 
+// The relief on a mesh against the displaced mesh itself, with one parameter changed; means over the views.
+struct MeshRow {
+    std::string label;
+    double coverage; // pixels that only one of the two covers, share of those that either covers
+    double depthRmse; // of the distance along the ray where both cover, in pixels' sizes there
+    double invalid; // pixels that are no numbers, of all views
+    double ratio; // of a shaded frame's time to that of the first row, one run; NaN when not timed
+};
+struct MeshSection {
+    std::string name; // of the mesh; empty: none was measured
+    std::size_t triangles = 0; // of the displaced mesh
+    double depth = 0.; // m
+    int views = 0, width = 0, height = 0;
+    std::vector<MeshRow> rows;
+};
+
 struct Report {
     std::string title; // the source's name
     SweepPlan plan;
@@ -35,6 +51,8 @@ struct Report {
     std::string exactLabel; // setting of the picture that PSNR and FLIP compare with
     int pictureWidth = 0, pictureHeight = 0;
 
+    MeshSection mesh;
+
     std::string heatField;
     HeatView heatView;
     std::vector<HeatRow> heats;
@@ -43,10 +61,11 @@ struct Report {
 
 // One self-contained file: no script, nothing fetched.
 std::string reportHtml(const Report& report);
-// {"title", "conditions", "settings", "fields", "rays": [...], "totals": [...], "pictures": [...], "warnings"}; percentages in percent.
+// {"title", "conditions", "settings", "fields", "rays": [...], "totals": [...], "pictures": [...], "mesh", "warnings"}; percentages in
+// percent.
 std::string reportJson(const Report& report);
 // One line a setting, field and view: the rays of a band, or a picture at an angle; what does not apply is left empty. Where there are
-// several fields, lines of all of them together follow those of the rays.
+// several fields, lines of all of them together follow those of the rays. The mesh is not in it.
 std::string reportCsv(const Report& report);
 
 // Three significant digits without an exponent: "0", "0.0312", "28.4", "1240".

@@ -135,6 +135,13 @@ std::string reportJson(const Report& report)
             line[column.key] = row.*column.of;
         json["pictures"].push_back(std::move(line));
     }
+    if (const MeshSection& mesh = report.mesh; !mesh.name.empty()) {
+        json["mesh"] = {{"name", mesh.name}, {"displacedTriangles", mesh.triangles}, {"depthMetres", mesh.depth}, {"views", mesh.views},
+            {"width", mesh.width}, {"height", mesh.height}, {"rows", nlohmann::ordered_json::array()}};
+        for (const MeshRow& row : mesh.rows)
+            json["mesh"]["rows"].push_back({{"label", row.label}, {"coveragePercent", 100. * row.coverage},
+                {"depthRmsePixels", row.depthRmse}, {"invalidPixels", row.invalid}, {"msRatio", row.ratio}});
+    }
     json["warnings"] = nlohmann::ordered_json::array();
     for (const Warning& warning : report.warnings)
         json["warnings"].push_back({{"code", warning.code}, {"text", warning.text}});

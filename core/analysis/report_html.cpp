@@ -151,7 +151,7 @@ public:
         std::string html = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
                            "content='width=device-width,initial-scale=1'><title>Speed against error: "
             + escaped(m_report.title) + "</title><style>" + kStyle + plotCss() + "</style></head><body>\n";
-        html += head() + rayPlots() + overview() + pictureSection() + heatSection() + details();
+        html += head() + rayPlots() + overview() + pictureSection() + meshSection() + heatSection() + details();
         return html + "</body></html>\n";
     }
 
@@ -324,6 +324,24 @@ private:
         return "<div class='scale'>" + title + "<i style='background:linear-gradient(90deg" + gradient
             + ");print-color-adjust:exact'></i><div><span>0</span><span>" + degrees(0.5 * range) + "</span><span>" + degrees(range)
             + " and more</span></div></div>";
+    }
+
+    std::string meshSection() const
+    {
+        const MeshSection& mesh = m_report.mesh;
+        if (mesh.name.empty())
+            return {};
+        std::string html = "<h2>On the mesh</h2><p>" + escaped(mesh.name) + ", relief " + figure(1000. * mesh.depth)
+            + " mm deep, searched exactly, against the displaced mesh itself (" + std::to_string(mesh.triangles) + " micro-triangles): "
+            + std::to_string(mesh.views) + " views of " + std::to_string(mesh.width) + " \u00d7 " + std::to_string(mesh.height)
+            + " pixels. Outline: pixels that only one of the two covers, percent of those that either covers. Depth: RMSE of the distance "
+              "to "
+              "the eye, in pixels' sizes there. Time: of a shaded frame, ratio to the first row in one run.</p><div class='scroll'><table>"
+              "<tr><th>Changed</th><th>Outline, %</th><th>Depth, px</th><th>NaN</th><th>Time</th></tr>\n";
+        for (const MeshRow& row : mesh.rows)
+            html += "<tr>" + cell(escaped(row.label)) + cell(figure(100. * row.coverage)) + cell(figure(row.depthRmse))
+                + cell(figure(row.invalid)) + cell(figure(row.ratio)) + "</tr>\n";
+        return html + "</table></div>\n";
     }
 
     std::string heatSection() const

@@ -174,6 +174,7 @@ std::string uniformDeclarations(const std::string& text)
     declare("samplerBuffer", "prismMap"); // see prisms.glsl
     declare("float", "firstTriangle"); // that is drawn, of those in these maps
     declare("samplerCube", "environmentMap");
+    declare("sampler2D", "exactMap"); // distances of the displaced mesh, m; negative: unknown
     declare("sampler2DShadow", "shadowMap");
     declare("samplerBuffer", "poseMap"); // see place_posed.glsl
     declare("samplerBuffer", "morphMap");

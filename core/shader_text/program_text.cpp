@@ -85,7 +85,7 @@ void searchFiles(Assembly& part, const TechniqueRow& technique, const ProgramFea
 {
     const bool filtered = listHas(technique.maps, "height") && (!technique.isExact || features.coarser); // else no level is chosen by pixel
     part.file(filtered ? "heights_filtered.glsl" : "heights_none.glsl");
-    if (technique.isExact || features.view == "error") {
+    if (technique.isExact || (features.view == "error" && !features.onMesh)) {
         if (!filtered)
             part.file("level_base.glsl");
         part.file(features.clamps ? "edges_clamp.glsl" : "edges_repeat.glsl")
@@ -122,7 +122,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         part.file(features.objectShadows ? "shadow_map.glsl" : "shadow_map_none.glsl");
         if (isLit(features.view))
             part.file("environment.glsl").file(kShadingFiles[features.shading]);
-        part.file(view->file);
+        part.file(features.onMesh ? "views/error_on_mesh.glsl" : view->file);
     };
     Assembly draft(read);
     draft.file("holes_cut.glsl");
@@ -190,7 +190,7 @@ ProgramFeatures programFeatures(
     features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
     features.frames = parameters.frames;
     features.curved = parameters.silhouettes != 0 && row && row->searches;
-    features.prisms = features.curved && parameters.silhouettes == 3 && view != "error"; // which walks one ray of its own
+    features.prisms = features.curved && parameters.silhouettes == 3;
     features.depthOfHit = parameters.depthOfHit && row && row->displaces;
     features.objectShadows = parameters.objectShadows && (lit || view == "shadow");
     features.faded = parameters.edgeFade > 0.f;

@@ -32,6 +32,7 @@ struct ProgramFeatures {
     bool faded = false; // edgeFade
     bool posed = false; // the mesh deforms
     bool objectShadows = false; // the parameter, where light is computed
+    bool onMesh = false; // the error view has Resources::seen
     bool clamps = false; // an exact search ends at the tile's borders
     auto operator<=>(const ProgramFeatures&) const = default;
 };

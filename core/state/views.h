@@ -31,7 +31,8 @@ inline constexpr auto kViews = std::to_array<ViewRow>({
     {"invalid", "Invalid", "views/invalid.glsl", "pixels", true, false,
         "Pixels whose light is not a number, from broken meshes or maps. There should be none."},
     {"error", "Error", "views/error.glsl", "depth", true, false,
-        "Difference between the depth found and the exact first hit at full resolution, as a share of the depth."},
+        "Difference from the exact answer at full resolution, as a share of the depth: of the depth found from the exact first hit on a "
+        "plane, of the point seen from the displaced mesh itself on others."},
 });
 
 const ViewRow* findView(std::string_view key); // nullptr when unknown

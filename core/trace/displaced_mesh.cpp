@@ -302,10 +302,10 @@ float DisplacedMesh::coarseness() const
     return m->coarseness;
 }
 
-Expected<std::vector<float>> distancesSeen(
+Expected<SeenDistances> distancesSeen(
     const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress)
 {
-    std::vector<float> distances(std::size_t(width) * std::size_t(height));
+    SeenDistances seen{width, height, surface.triangles(), std::vector<float>(std::size_t(width) * std::size_t(height))};
     const glm::mat4 worldFromClip = glm::inverse(camera.clipFromView * camera.viewFromWorld);
     std::atomic<int> done = 0;
     tbb::parallel_for(0, height, [&](int y) {
@@ -315,13 +315,13 @@ Expected<std::vector<float>> distancesSeen(
             const glm::vec4 clip(2.f * (float(x) + 0.5f) / float(width) - 1.f, 1.f - 2.f * (float(y) + 0.5f) / float(height), 0.f, 1.f);
             const glm::vec4 world = worldFromClip * clip;
             const DisplacedMesh::Hit hit = surface.hit(camera.eye, glm::normalize(glm::vec3(world) / world.w - camera.eye));
-            distances[std::size_t(y) * std::size_t(width) + std::size_t(x)] = hit.back ? std::nanf("") : hit.distance;
+            seen.metres[std::size_t(y) * std::size_t(width) + std::size_t(x)] = hit.back ? std::nanf("") : hit.distance;
         }
         progress.at(float(++done) / float(height));
     });
     if (progress.cancelled())
         return failure("reference", "cancelled");
-    return distances;
+    return seen;
 }
 
 } // namespace relievo

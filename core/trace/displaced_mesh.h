@@ -21,7 +21,7 @@ class DisplacedMesh {
 public:
     struct Detail {
         float finest = 0.f; // m: no micro-triangle needs to be smaller than this
-        std::size_t maxTriangles = 4'000'000; // about 100 bytes each; coarser micro-triangles when it takes more
+        std::size_t maxTriangles = 4'000'000; // about 100 bytes each; coarser when it takes more; walls come on top
     };
     // Errors: cancelled; Embree cannot start or has no memory.
     static Expected<DisplacedMesh> build(
@@ -45,9 +45,17 @@ private:
     std::shared_ptr<const Impl> m;
 };
 
-// What a picture of the camera sees of it: metres from the eye, row 0 at the top, infinity where nothing is, NaN where it sees the back of
-// an open mesh: relief goes in from the side that is seen, so pictures have no such surface.
-Expected<std::vector<float>> distancesSeen(
+// What a picture of the camera sees of it.
+struct SeenDistances {
+    int width = 0, height = 0;
+    std::size_t triangles = 0; // micro-triangles of the surface
+    // From the eye, row 0 at the top; infinity where nothing is, NaN where the back of an open mesh is seen: relief goes in from the side
+    // that is seen, so pictures have no such surface.
+    std::vector<float> metres;
+
+    float at(int x, int y) const { return metres[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+};
+Expected<SeenDistances> distancesSeen(
     const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress = {});
 
 } // namespace relievo

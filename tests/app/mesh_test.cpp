@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/animation_bar.h"
+#include "app/window/mesh_reference.h"
 #include "tests/app/window_support.h"
 #include <QComboBox>
 #include <QFile>
@@ -31,6 +32,26 @@ TEST_F(WindowTest, AnimationPlaysPausesAndScrubsWithoutUndoSteps)
     EXPECT_NE(bar.findChild<QLabel*>()->text().indexOf("1.20 s"), -1);
     window.maps().setMesh("plane");
     ASSERT_TRUE(waitFor([&] { return bar.isHidden(); }));
+}
+
+TEST_F(WindowTest, TheErrorViewAtRestIsThatOfTheDisplacedMesh)
+{
+    window.maps().setMesh("sphere");
+    ASSERT_TRUE(waitFor([&] { return state().mesh == "sphere"; }));
+    auto* reference = window.viewport().findChild<MeshReference*>();
+    settle();
+    EXPECT_FALSE(reference->resourcesOf(0).seen); // nothing is made for other views
+    window.document().edit("view", [](State& s) { s.view = "error"; });
+    ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled() && reference->resourcesOf(0).seen; }));
+    const QImage seen = window.viewport().picture();
+    EXPECT_EQ(reference->resourcesOf(0).seen->width, seen.width());
+    EXPECT_EQ(reference->resourcesOf(0).seen->height, seen.height());
+    window.document().edit("view", [](State& s) { s.camera.yaw += 10.f; });
+    EXPECT_FALSE(reference->resourcesOf(0).seen); // what is seen changed
+    ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled() && reference->resourcesOf(0).seen; }));
+    window.document().edit("view", [](State& s) { s.view = "shaded"; });
+    EXPECT_FALSE(reference->busy());
+    EXPECT_FALSE(reference->resourcesOf(0).seen);
 }
 
 TEST_F(WindowTest, APartOfAMeshTakesItsOwnMaps)

@@ -43,6 +43,25 @@ TEST(Measuring, ReportInAllForms)
     EXPECT_TRUE(relievo::readText(folder / "r.csv")->starts_with("technique,setting,field,view,rays,wrong,ties,meanFetches,"));
 }
 
+TEST(Measuring, ReportOnAMesh)
+{
+    TestFolder folder("report");
+    const std::string command = "report " + kSource + "--mesh box --fast --rays 10 --techniques bump --quiet -o ";
+    ProgramRun run = runRelievo(command + (folder / "r.json"));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json mesh = json::parse(*relievo::readText(folder / "r.json"))["mesh"];
+    EXPECT_EQ(mesh["name"], "Box");
+    EXPECT_GT(mesh["displacedTriangles"], 10000);
+    ASSERT_EQ(mesh["rows"].size(), 9u);
+    EXPECT_EQ(mesh["rows"][0]["msRatio"], 1.);
+    EXPECT_GT(mesh["rows"][0]["coveragePercent"], 0.5);
+    for (int kind = 1; kind < 4; ++kind)
+        EXPECT_LT(mesh["rows"][kind]["coveragePercent"].get<double>(), 0.2 * mesh["rows"][0]["coveragePercent"].get<double>()) << kind;
+    run = runRelievo(command + (folder / "r.html"));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_NE(relievo::readText(folder / "r.html")->find("<h2>On the mesh</h2>"), std::string::npos);
+}
+
 TEST(Measuring, ReportOnTheHardCases)
 {
     TestFolder folder("hard");

@@ -26,12 +26,13 @@ struct Outline {
     int beyond = 0, missing = 0;
 };
 
-Outline outline(Renderer& renderer, const State& state, const Resources& resources, const std::vector<float>& exact, int width, int height)
+Outline outline(Renderer& renderer, const State& state, const Resources& resources, const SeenDistances& exact)
 {
-    const Image image = *drawPicture(renderer, state, 0, resources, "position", width, height, 1, true);
+    const int width = exact.width;
+    const Image image = *drawPicture(renderer, state, 0, resources, "position", width, exact.height, 1, true);
     Outline result;
-    for (int i = 0; i < width * height; ++i) {
-        const bool covered = image.value(i % width, i / width, 3) > 0.5f, truth = std::isfinite(exact[std::size_t(i)]);
+    for (int i = 0; i < width * exact.height; ++i) {
+        const bool covered = image.value(i % width, i / width, 3) > 0.5f, truth = std::isfinite(exact.metres[std::size_t(i)]);
         result.beyond += covered && !truth;
         result.missing += !covered && truth;
     }
@@ -53,13 +54,13 @@ Sums overViews(const char* mesh)
     Warnings warnings;
     for (const auto& view : kViews) {
         state.camera.yaw = view[0], state.camera.pitch = view[1];
-        const auto exact = exactDistances(state, resources, kWidth, kHeight, warnings);
+        const auto exact = exactDistances(state, 0, resources, kWidth, kHeight, warnings);
         EXPECT_TRUE(exact) << mesh;
         if (!exact)
             break;
         for (const int silhouettes : {0, 2}) {
             state.parameters.silhouettes = silhouettes;
-            const Outline found = outline(renderer, state, resources, *exact, kWidth, kHeight);
+            const Outline found = outline(renderer, state, resources, *exact);
             Outline& sum = silhouettes == 0 ? sums.flat : sums.cut;
             sum.beyond += found.beyond, sum.missing += found.missing;
         }
@@ -97,15 +98,15 @@ TEST(Prisms, FollowTheMesh)
         const auto resources = *loadResources(state, {}, {});
         const glm::vec3 size = resources.mesh->boundsMax - resources.mesh->boundsMin;
         state.parameters.tiling = 4.f * resources.mesh->metresPerUV / std::max({size.x, size.y, size.z});
-        MeshErrors none, quadric, prisms;
+        MeshRow none{}, quadric{}, prisms{};
         Warnings warnings;
         for (const float yaw : {30.f, 300.f}) {
             state.camera.yaw = yaw;
-            const auto exact = exactDistances(state, resources, 400, 300, warnings);
+            const auto exact = exactDistances(state, 0, resources, 400, 300, warnings);
             ASSERT_TRUE(exact) << mesh;
             for (const auto& [kind, sum] : {std::pair{0, &none}, {2, &quadric}, {3, &prisms}}) {
                 state.parameters.silhouettes = kind;
-                const auto errors = meshErrors(renderer, state, resources, *exact, 400, 300);
+                const auto errors = meshErrors(renderer, state, resources, *exact);
                 ASSERT_TRUE(errors) << mesh;
                 sum->coverage += errors->coverage, sum->depthRmse += errors->depthRmse, sum->invalid += errors->invalid;
             }

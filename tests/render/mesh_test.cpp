@@ -117,14 +117,48 @@ TEST(Interpenetration, ReliefMeetsPlainSpheresWhereTheyDo)
     state.camera.pitch = 50.f;
     const Resources resources = resourcesOf(state);
     Warnings warnings;
-    const auto exact = exactDistances(state, resources, 320, 240, warnings);
+    const auto exact = exactDistances(state, 0, resources, 320, 240, warnings);
     ASSERT_TRUE(exact);
     state.parameters.silhouettes = 2;
-    const auto without = meshErrors(renderer, state, resources, *exact, 320, 240);
+    const auto without = meshErrors(renderer, state, resources, *exact);
     state.parameters.depthOfHit = true;
-    const auto with = meshErrors(renderer, state, resources, *exact, 320, 240);
+    const auto with = meshErrors(renderer, state, resources, *exact);
     ASSERT_TRUE(without && with);
     EXPECT_LT(with->depthRmse, 0.5 * without->depthRmse) << without->depthRmse;
+}
+
+// The error view on a mesh sees what silhouettes and frames get wrong, not the search alone.
+TEST(ErrorView, MeasuresAgainstTheDisplacedMesh)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("torus");
+    Resources resources = resourcesOf(state);
+    const auto mean = [&](int silhouettes) {
+        state.parameters.silhouettes = silhouettes;
+        const Image image = picture(renderer, state, resources, "error", 320, 240);
+        double sum = 0., pixels = 0.;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                if (image.value(x, y, 3) > 0.5f)
+                    sum += double(image.value(x, y, 0)), pixels += 1.;
+        EXPECT_GT(pixels, 5000.);
+        return sum / std::max(pixels, 1.);
+    };
+    EXPECT_LT(mean(0), 0.001); // cell-cone's search alone
+    Warnings coarse;
+    const auto seen = exactDistances(state, 0, resources, 320, 240, coarse);
+    ASSERT_TRUE(seen);
+    resources.seen = std::make_shared<const SeenDistances>(*seen);
+    const double none = mean(0), quadric = mean(2), prisms = mean(3);
+    EXPECT_GT(none, 0.05);
+    EXPECT_LT(quadric, 0.6 * none);
+    EXPECT_LT(prisms, 0.02);
+    auto other = *seen;
+    other.width = 240, other.height = 320; // of another picture: not used
+    resources.seen = std::make_shared<const SeenDistances>(other);
+    EXPECT_LT(mean(0), 0.001);
 }
 
 TEST(ObjectShadows, SpheresShadeThePlane)
