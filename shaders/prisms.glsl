@@ -75,27 +75,66 @@ vec3 weightsAt(vec3 place, vec3 a, vec3 b, vec3 c)
 struct Exit {
     float way; // m along the ray
     int side; // 0 to 2: the wall of the edge from that corner, 3: floor, 4: top
+    float below; // share of the depth there
+    vec3 weights; // of the corners there
 };
 
-Exit nearer(Exit exit, float rise, float speed, int side)
+Exit nearer(Exit exit, float since, float rise, float speed, int side)
 {
-    return speed > 0.0f && rise < exit.way * speed ? Exit(rise / speed, side) : exit;
+    return speed > 0.0f && rise < exit.way * speed && rise > since * speed ? Exit(rise / speed, side, 0.0f, vec3(0.0f)) : exit;
 }
 
-Exit exitFrom(Corner corners[3], vec3 start, vec3 way, float depth)
+// The plane of a side that the ray crosses first. since: what it crossed before, it was never inside of; without: bits of sides that do not
+// count.
+Exit nearestSide(Corner corners[3], vec3 start, vec3 way, float since, float depth, int without)
 {
     float turn = depth < 0.0f ? -1.0f : 1.0f;
-    Exit exit = Exit(1e30f, 3);
+    Exit exit = Exit(1e30f, -1, 0.0f, vec3(0.0f));
     for (int i = 0; i < 3; ++i) {
         Corner from = corners[i];
         Corner to = corners[i == 2 ? 0 : i + 1];
         vec3 outwards = cross(from.inwards + to.inwards, to.place - from.place) * turn;
-        exit = nearer(exit, dot(outwards, from.place - start), dot(outwards, way), i);
+        if ((without & 1 << i) == 0)
+            exit = nearer(exit, since, dot(outwards, from.place - start), dot(outwards, way), i);
     }
     vec3 a = corners[0].place;
     vec3 up = cross(corners[1].place - a, corners[2].place - a) * turn;
-    exit = nearer(exit, dot(up, a - start), dot(up, way), 4);
+    if ((without & 16) == 0)
+        exit = nearer(exit, since, dot(up, a - start), dot(up, way), 4);
     a += corners[0].inwards;
     vec3 down = cross(corners[2].place + corners[2].inwards - a, corners[1].place + corners[1].inwards - a) * turn;
-    return nearer(exit, dot(down, a - start), dot(down, way), 3);
+    return (without & 8) == 0 ? nearer(exit, since, dot(down, a - start), dot(down, way), 3) : exit;
+}
+
+// Where normals lean far over, a prism is folded, and the plane of a side cuts through it where that side is not; then the next one counts.
+Exit exitFrom(Corner corners[3], vec3 start, vec3 way, float begin, float depth)
+{
+    Exit first;
+    int without = 0;
+    for (int i = 0; i < 5; ++i) {
+        Exit exit = nearestSide(corners, start, way, begin - 0.05f * abs(depth), depth, without);
+        if (exit.side < 0)
+            break;
+        vec3 place = start + way * max(exit.way, begin);
+        bool isThere;
+        if (exit.side < 3) {
+            int to = exit.side == 2 ? 0 : exit.side + 1;
+            vec2 found = onWall(place, corners[exit.side], corners[to], depth);
+            exit.weights[exit.side] = 1.0f - found.x;
+            exit.weights[to] = found.x;
+            exit.below = clamp(found.y, 0.0f, 1.0f);
+            isThere = abs(found.y - 0.5f) < 0.52f;
+        } else {
+            exit.below = exit.side == 3 ? 1.0f : 0.0f;
+            exit.weights = weightsAt(place, corners[0].place + exit.below * corners[0].inwards,
+                corners[1].place + exit.below * corners[1].inwards, corners[2].place + exit.below * corners[2].inwards);
+            isThere = min(exit.weights.x, min(exit.weights.y, exit.weights.z)) > -0.25f;
+        }
+        if (isThere)
+            return exit;
+        if (i == 0)
+            first = exit;
+        without |= 1 << exit.side;
+    }
+    return without == 0 ? Exit(begin, 4, 0.0f, vec3(1.0f / 3.0f)) : first;
 }

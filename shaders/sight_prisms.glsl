@@ -19,6 +19,8 @@ Surface seen(Surface surface)
     float above = 0.0f; // its depth there
     vec3 weights = vec3(0.0f); // of the corners there
     int fetches = 0;
+    surface.hit = Hit(textureUv, 0.0f, false, 0);
+    surface.point = position;
     for (int i = 0; i < kMostPrisms; ++i) {
         vec4 vertices = texelFetch(prismMap, triangles + 2 * triangle);
         Corner corners[3] = Corner[3](cornerOf(vertices.x, depth), cornerOf(vertices.y, depth), cornerOf(vertices.z, depth));
@@ -26,22 +28,12 @@ Surface seen(Surface surface)
             weights = weightsAt(position, corners[0].place, corners[1].place, corners[2].place);
         vec2 uv = i == 0 ? textureUv : corners[0].uv * weights.x + corners[1].uv * weights.y + corners[2].uv * weights.z;
 
-        Exit exit = exitFrom(corners, position, way, depth);
-        float end = clamp(exit.way, begin, begin + 1e4f * abs(depth));
-        vec3 place = position + way * end;
+        Exit exit = exitFrom(corners, position, way, begin, depth);
+        float end = max(exit.way, begin);
         int from = exit.side;
         int to = from == 2 ? 0 : from + 1;
-        float below = exit.side == 3 ? 1.0f : 0.0f;
-        vec3 ahead = vec3(0.0f);
-        if (exit.side < 3) {
-            vec2 found = onWall(place, corners[from], corners[to], depth);
-            below = clamp(found.y, 0.0f, 1.0f);
-            ahead[from] = 1.0f - found.x;
-            ahead[to] = found.x;
-        } else {
-            ahead = weightsAt(place, corners[0].place + below * corners[0].inwards, corners[1].place + below * corners[1].inwards,
-                corners[2].place + below * corners[2].inwards);
-        }
+        float below = exit.below;
+        vec3 ahead = exit.weights;
         vec2 uvThere = corners[0].uv * ahead.x + corners[1].uv * ahead.y + corners[2].uv * ahead.z;
 
         float last = exit.side == 3 ? 1.0f : kUnfinished;
