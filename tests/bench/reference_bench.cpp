@@ -1,4 +1,5 @@
 // The exact reference beside Embree 3 on the same field as triangles: rays a second on one core, time to build, memory.
+// Usage: reference_bench [FIELD]...
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/exact_search.h"
@@ -12,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <random>
+#include <string>
 #include <tbb/global_control.h>
 
 using namespace relievo;
@@ -188,14 +190,17 @@ void compare(const char* name, const HeightField& field, const ExactSearch& sear
 
 } // namespace
 
-int main()
+int main(int argc, char** argv)
 {
+    const std::vector<std::string> wanted(argv + 1, argv + argc);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
     std::printf(
         "%d x %d texels, depth %g of the tile, one core, million rays a second of processor time (medians of %d rounds, interleaved)\n",
         kSize, kSize, kDepth, kRounds);
     std::printf("field     degrees   walk    pyramid    Embree   ratio  visits  mean t of both\n");
     for (const NamedField& named : fields()) {
+        if (!wanted.empty() && std::ranges::find(wanted, named.name) == wanted.end())
+            continue;
         std::optional<ExactSearch> search;
         std::optional<Triangles> triangles;
         const double ours = secondsOf([&] { search.emplace(named.field); });
