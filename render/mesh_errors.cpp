@@ -114,7 +114,9 @@ Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, cons
     State view = state;
     view.parameters = effectiveParameters(state, 0);
     MeshSection section{resources.mesh->name, 0, double(physicalDepth(view.parameters, resources.mesh->metresPerUV)),
-        int(std::size(kMeshViews)), width, height, {}};
+        int(std::size(kMeshViews)), width, height, {}, {}};
+    if (resources.mesh->fileHasTangents)
+        section.tangents = tangentDifference(*resources.mesh);
     for (const Change& change : kChanges)
         section.rows.push_back({change.label, 0., 0., 0., std::nan("")});
     for (std::size_t i = 0; i < std::size(kMeshViews); ++i) {

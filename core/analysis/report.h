@@ -4,7 +4,9 @@
 #pragma once
 #include "core/analysis/heat_pictures.h"
 #include "core/analysis/sweep.h"
+#include "core/mesh/tangents.h"
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,7 @@ struct MeshSection {
     double depth = 0.; // m
     int views = 0, width = 0, height = 0;
     std::vector<MeshRow> rows;
+    std::optional<TangentDifference> tangents; // of the mesh file's own tangents, when it has any
 };
 
 struct Report {

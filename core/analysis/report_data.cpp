@@ -141,6 +141,9 @@ std::string reportJson(const Report& report)
         for (const MeshRow& row : mesh.rows)
             json["mesh"]["rows"].push_back({{"label", row.label}, {"coveragePercent", 100. * row.coverage},
                 {"depthRmsePixels", row.depthRmse}, {"invalidPixels", row.invalid}, {"msRatio", row.ratio}});
+        if (mesh.tangents)
+            json["mesh"]["tangents"]
+                = {{"corners", mesh.tangents->corners}, {"off", mesh.tangents->off}, {"worstDegrees", mesh.tangents->worst}};
     }
     json["warnings"] = nlohmann::ordered_json::array();
     for (const Warning& warning : report.warnings)

@@ -341,7 +341,12 @@ private:
         for (const MeshRow& row : mesh.rows)
             html += "<tr>" + cell(escaped(row.label)) + cell(figure(100. * row.coverage)) + cell(figure(row.depthRmse))
                 + cell(figure(row.invalid)) + cell(figure(row.ratio)) + "</tr>\n";
-        return html + "</table></div>\n";
+        html += "</table></div>\n";
+        if (mesh.tangents)
+            html += "<p>Tangents of the file against MikkTSpace\u2019s: " + std::to_string(mesh.tangents->off) + " of "
+                + std::to_string(mesh.tangents->corners) + " corners differ by more than " + figure(kTangentTolerance)
+                + "\u00b0; the worst by " + figure(mesh.tangents->worst) + "\u00b0.</p>\n";
+        return html;
     }
 
     std::string heatSection() const

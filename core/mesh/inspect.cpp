@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/frames.h"
 #include "core/mesh/numbering.h"
+#include "core/mesh/tangents.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <tbb/parallel_sort.h>
@@ -73,6 +74,9 @@ Warnings inspectMesh(const Mesh& mesh)
         {mesh.repeatedVertices, "duplicate-vertices", " vertex is written out although an equal one exists.",
             " vertices are written out although equal ones exist."},
         {countNonManifold(mesh), "non-manifold-edges", " edge joins more than two triangles.", " edges join more than two triangles."},
+        {mesh.fileHasTangents ? tangentDifference(mesh).off : 0, "other-tangents",
+            " corner has a tangent in the file that is not MikkTSpace's, which most normal maps are baked for.",
+            " corners have tangents in the file that are not MikkTSpace's, which most normal maps are baked for."},
         {counts.flipped, "flipped-normals", " triangle faces away from its normals: its winding or its normals are inverted.",
             " triangles face away from their normals: their winding or their normals are inverted."},
     };

@@ -73,7 +73,8 @@ inline constexpr std::array<std::string_view, 8> kShapes
 Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress = {});
 
 // What an artist may want to mend, for `info`; each says how many: "degenerate-triangles", "degenerate-uvs", "duplicate-vertices",
-// "non-manifold-edges" (more than two triangles meet), "flipped-normals" (they disagree with the winding).
+// "non-manifold-edges" (more than two triangles meet), "flipped-normals" (they disagree with the winding), "other-tangents" (corners whose
+// tangents, of the file, are not MikkTSpace's).
 Warnings inspectMesh(const Mesh& mesh);
 
 // `info --json` of cli.md for a mesh.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -212,6 +213,23 @@ private:
 std::vector<glm::vec4> cornerTangents(const Mesh& mesh)
 {
     return TangentMaker(mesh).make();
+}
+
+TangentDifference tangentDifference(const Mesh& mesh)
+{
+    const std::vector<glm::vec4> made = cornerTangents(mesh);
+    TangentDifference difference;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        if (made[i].w == 0.f)
+            continue;
+        const glm::dvec4 a(made[i]), b(mesh.vertices[mesh.indices[i]].tangent);
+        const double turn = std::atan2(glm::length(glm::cross(glm::dvec3(a), glm::dvec3(b))), glm::dot(glm::dvec3(a), glm::dvec3(b)));
+        const double degrees = a.w == b.w ? glm::degrees(turn) : 180.;
+        ++difference.corners;
+        difference.off += degrees > kTangentTolerance;
+        difference.worst = std::max(difference.worst, degrees);
+    }
+    return difference;
 }
 
 } // namespace relievo

@@ -42,6 +42,23 @@ TEST(MeshTangents, MirrorSplitsItsSeamAndKeepsBothJacobians)
     }
 }
 
+TEST(MeshTangents, DifferencesAreTurnsOrMirrors)
+{
+    Mesh mesh = strip(0.f, 1.f, 2.f);
+    TangentDifference difference = tangentDifference(mesh);
+    EXPECT_EQ(difference.corners, 12u);
+    EXPECT_EQ(difference.off, 0u);
+    EXPECT_LT(difference.worst, 1e-4);
+    mesh.vertices[0].tangent = {std::cos(0.0087266463f), 0.f, std::sin(0.0087266463f), 1.f}; // half a degree, at two corners
+    difference = tangentDifference(mesh);
+    EXPECT_EQ(difference.off, 2u);
+    EXPECT_NEAR(difference.worst, 0.5, 1e-4);
+    mesh.vertices[5].tangent.w = -1.f; // at two more
+    difference = tangentDifference(mesh);
+    EXPECT_EQ(difference.off, 4u);
+    EXPECT_EQ(difference.worst, 180.);
+}
+
 TEST(MeshTangents, PlainStripIsNotSplit)
 {
     EXPECT_EQ(strip(0.f, 1.f, 2.f).vertices.size(), 6u);
