@@ -5,6 +5,7 @@
 #include "core/mesh/numbering.h"
 #include "core/mesh/tangents.h"
 #include <algorithm>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <tbb/parallel_sort.h>
 
@@ -58,6 +59,15 @@ std::size_t countNonManifold(const Mesh& mesh)
     }
     return count;
 }
+
+std::string textOf(const TangentDifference& difference)
+{
+    char worst[32];
+    std::snprintf(worst, sizeof worst, "%.3g", difference.worst);
+    return std::to_string(difference.off) + " of " + std::to_string(difference.corners)
+        + " corners have tangents in the file that are not MikkTSpace's, for which most normal maps are baked: up to " + worst
+        + " degrees from them.";
+}
 } // namespace
 
 Warnings inspectMesh(const Mesh& mesh)
@@ -74,9 +84,6 @@ Warnings inspectMesh(const Mesh& mesh)
         {mesh.repeatedVertices, "duplicate-vertices", " vertex is written out although an equal one exists.",
             " vertices are written out although equal ones exist."},
         {countNonManifold(mesh), "non-manifold-edges", " edge joins more than two triangles.", " edges join more than two triangles."},
-        {mesh.fileHasTangents ? tangentDifference(mesh).off : 0, "other-tangents",
-            " corner has a tangent in the file that is not MikkTSpace's, which most normal maps are baked for.",
-            " corners have tangents in the file that are not MikkTSpace's, which most normal maps are baked for."},
         {counts.flipped, "flipped-normals", " triangle faces away from its normals: its winding or its normals are inverted.",
             " triangles face away from their normals: their winding or their normals are inverted."},
     };
@@ -84,6 +91,9 @@ Warnings inspectMesh(const Mesh& mesh)
     for (const Row& row : rows)
         if (row.count > 0)
             warnings.push_back({row.code, std::to_string(row.count) + (row.count == 1 ? row.one : row.many)});
+    if (mesh.fileHasTangents)
+        if (const TangentDifference difference = tangentDifference(mesh); difference.off > 0)
+            warnings.push_back({"other-tangents", textOf(difference)});
     return warnings;
 }
 
