@@ -189,7 +189,10 @@ void Assets::follow(Changes what)
         return;
     m_background.start([this, state = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
         const auto resources = loadWhatIsThere(state, {}, previous, progress);
-        return [this, resources] { resources ? take(*resources) : refuse(resources.error()); };
+        return [this, resources] {
+            if (!fits(m_document.state())) // else it went back to what is loaded
+                resources ? take(*resources) : refuse(resources.error());
+        };
     });
 }
 

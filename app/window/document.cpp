@@ -5,6 +5,7 @@
 #include "core/state/state_json.h"
 #include <QFileInfo>
 #include <QUndoCommand>
+#include <utility>
 
 namespace relievo {
 
@@ -47,7 +48,7 @@ public:
     }
     int id() const override { return 1; }
     void undo() override { show(m_before); }
-    void redo() override { show(m_after); }
+    void redo() override { std::exchange(m_isNew, false) ? m_document.replace(m_after) : show(m_after); }
     bool mergeWith(const QUndoCommand* next) override
     {
         const auto* other = static_cast<const Edit*>(next);
@@ -69,6 +70,7 @@ private:
     Document& m_document;
     State m_before, m_after;
     int m_gesture;
+    bool m_isNew = true; // done for the first time: the edit may move the eye too
 };
 
 Document::Document(QObject* parent) : QObject(parent)
@@ -80,12 +82,10 @@ void Document::edit(const QString& text, const std::function<void(State&)>& chan
 {
     State after = m_state;
     change(after);
-    State moved = m_state;
-    keepSight(moved, after);
-    if (moved != m_state)
-        replace(moved);
-    if (m_state == after)
-        return;
+    State sameSight = after;
+    keepSight(sameSight, m_state);
+    if (sameSight == m_state)
+        return replace(after);
     m_undo.push(new Edit(*this, std::move(after), text));
     if (!inGesture())
         ++m_gesture;

@@ -84,6 +84,20 @@ TEST(Document, SaysWhatChanged)
     EXPECT_EQ(heard, Changes(Change::Camera));
 }
 
+TEST(Document, AnEditThatMovesTheEyeTooIsOneChange)
+{
+    Document document;
+    std::vector<State> seen;
+    QObject::connect(&document, &Document::changed, [&](Changes) { seen.push_back(document.state()); });
+    document.edit("Scene", [](State& state) { state.mesh = "torus", state.camera.yaw = 77.f; });
+    ASSERT_EQ(seen.size(), 1u);
+    EXPECT_EQ(seen[0].mesh, "torus");
+    EXPECT_EQ(seen[0].camera.yaw, 77.f);
+    document.undoStack().undo();
+    EXPECT_EQ(document.state().mesh, State().mesh);
+    EXPECT_EQ(document.state().camera.yaw, 77.f);
+}
+
 TEST(Document, SavedAndReadAgainIsEqual)
 {
     const QTemporaryDir folder;

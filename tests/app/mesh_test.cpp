@@ -34,6 +34,17 @@ TEST_F(WindowTest, AnimationPlaysPausesAndScrubsWithoutUndoSteps)
     ASSERT_TRUE(waitFor([&] { return bar.isHidden(); }));
 }
 
+TEST_F(WindowTest, ALoadThatIsNoLongerWantedIsDropped)
+{
+    window.maps().setMesh("torus");
+    ASSERT_TRUE(waitFor([&] { return state().mesh == "torus" && !window.assets().background().busy(); }));
+    window.document().undoStack().undo(); // the plane begins to load
+    EXPECT_TRUE(window.assets().background().busy());
+    window.document().undoStack().redo();
+    settle();
+    EXPECT_EQ(window.assets().resources().meshName, "torus");
+}
+
 TEST_F(WindowTest, TheErrorViewAtRestIsThatOfTheDisplacedMesh)
 {
     window.maps().setMesh("sphere");

@@ -51,6 +51,20 @@ void twoPanes(MainWindow& window)
     });
 }
 
+// A plain outline beside that of prisms, seen from near.
+void outlines(MainWindow& window)
+{
+    window.assets().propose("Mesh", [](State& state) {
+        setPaneCount(state, 2);
+        state.mesh = "torus";
+        state.camera.distance = 0.7f, state.camera.pitch = 12.f, state.camera.target = glm::vec3(0.f, 0.1f, 0.f);
+        for (Pane& pane : state.panes)
+            pane.technique = "cell-cone";
+        assign(state, *findParameter("depth"), 0.12f, Scope::Both);
+        assign(state, *findParameter("silhouettes"), 3, Scope::B);
+    });
+}
+
 const Scene kScenes[] = {
     {"first", {1280, 800}, Look::Dark, [](MainWindow&) {}},
     {"first-light", {1280, 800}, Look::Light, [](MainWindow&) {}},
@@ -68,6 +82,14 @@ const Scene kScenes[] = {
             twoPanes(window);
             window.setView("error");
         }},
+    {"outlines", {1600, 1000}, Look::Dark, outlines},
+    {"outlines-error", {1600, 1000}, Look::Dark,
+        [](MainWindow& window) {
+            outlines(window);
+            window.setView("error");
+        }},
+    {"scene", {1280, 800}, Look::Dark,
+        [](MainWindow& window) { window.assets().openDocument("scene:interpenetration", window.document().state()); }},
     {"warnings", {1280, 800}, Look::Dark,
         [](MainWindow& window) {
             window.messages().set("a",
