@@ -123,7 +123,7 @@ void MeshUpload::bindPrisms(const LinkedProgram& program, const Pose& pose, std:
 void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part)
 {
     if (m_mesh->deformation && program.reads("poseMap"))
-        m_pose.bind(program, *m_mesh, poseOf(*m_mesh, parameters), parameters.silhouettes);
+        m_pose.bind(program, *m_mesh, poseOf(*m_mesh, parameters), parameters.silhouettes == 3 && hasPrisms() ? 0 : parameters.silhouettes);
     if (program.reads("prismMap"))
         bindPrisms(program, poseOf(*m_mesh, parameters), part);
     if (program.reads("borderMap") && hasBorders())

@@ -93,7 +93,8 @@ struct Renderer::Impl {
             if (const LinkedProgram* program = polygons ? polygonProgramFor(used.posed, error) : meshProgramFor(used, error)) {
                 if (program != std::exchange(ready, program) || parts != std::exchange(readyFor, parts))
                     use(*program, values);
-                mesh.draw(*program, parts, state.part, values.pushOut != 0.f, used.curved && !polygons ? parameters.silhouettes : 0);
+                mesh.draw(*program, parts, state.part, values.pushOut != 0.f,
+                    used.curved && !used.prisms && !polygons ? parameters.silhouettes : 0);
             }
         };
         const auto drawAll = [&](bool polygons) {

@@ -25,6 +25,16 @@ Corner cornerOf(float vertex, float depth)
     return Corner(place.xyz + push, normal.xyz * -depth, textureFromMesh * vec2(place.w, normal.w) + textureShift);
 }
 
+int trianglesStart()
+{
+    return int(texelFetch(prismMap, 0).x);
+}
+
+vec2 uvBetween(Corner corners[3], vec3 weights)
+{
+    return corners[0].uv * weights.x + corners[1].uv * weights.y + corners[2].uv * weights.z;
+}
+
 // The frame of the texture between a triangle's corners.
 Frame frameBetween(vec4 vertices, vec3 weights)
 {
@@ -137,4 +147,24 @@ Exit exitFrom(Corner corners[3], vec3 start, vec3 way, float begin, float depth)
         without |= 1 << exit.side;
     }
     return without == 0 ? Exit(begin, 4, 0.0f, vec3(1.0f / 3.0f)) : first;
+}
+
+// Where a ray comes into a prism.
+struct Entry {
+    int triangle; // -1: there is none
+    vec3 weights; // of the corners there
+};
+
+// The prism beyond the wall that a ray leaves by.
+Entry beyond(int triangle, Exit exit)
+{
+    Entry entry = Entry(-1, vec3(0.0f));
+    float across = exit.side < 3 ? texelFetch(prismMap, trianglesStart() + 2 * triangle + 1)[exit.side] : -1.0f;
+    if (across >= 0.0f) {
+        entry.triangle = int(across) / 3;
+        int edge = int(across) - 3 * entry.triangle;
+        entry.weights[edge] = exit.weights[exit.side == 2 ? 0 : exit.side + 1];
+        entry.weights[edge == 2 ? 0 : edge + 1] = exit.weights[exit.side];
+    }
+    return entry;
 }

@@ -14,7 +14,7 @@ float lightReaching(Surface surface)
         float angle = 2.3999632f * float(i) + 6.2831853f * turn;
         float r = radius * sqrt((float(i) + 0.5f) / 8.0f);
         vec3 toLight = normalize(lightDirection + (across * cos(angle) + up * sin(angle)) * r);
-        lit += dot(surface.frame.normal, toLight) > 0.0f && !lightIsHidden(surface, toLight) ? 0.125f : 0.0f;
+        lit += !lightIsHidden(surface, toLight) ? 0.125f : 0.0f;
     }
     return 1.0f - shadowStrength * (1.0f - lit);
 }

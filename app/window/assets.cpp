@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/assets.h"
 #include "app/window/recent_files.h"
+#include "core/mesh/pictures.h"
 #include <QFileInfo>
 #include <algorithm>
 
@@ -42,7 +43,7 @@ bool cancelled(const Error& error)
 
 bool isThere(const MapSlot& slot)
 {
-    return slot.file.starts_with("sample:") || QFileInfo::exists(QString::fromStdString(slot.file));
+    return slot.file.starts_with("sample:") || pictureMayExist(slot.file);
 }
 
 // The material of slots whose files have all moved: empty, and it says which.

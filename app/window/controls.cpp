@@ -262,15 +262,24 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent)
 
 void ElidedLabel::setFullText(const QString& text)
 {
+    if (toolTip() == m_full)
+        setToolTip({});
     m_full = text;
-    setText(fontMetrics().elidedText(text, Qt::ElideRight, width()));
-    setToolTip(this->text() == text ? QString() : text);
+    elide();
+}
+
+// A tooltip of another text stays.
+void ElidedLabel::elide()
+{
+    setText(fontMetrics().elidedText(m_full, Qt::ElideRight, width()));
+    if (toolTip().isEmpty() || toolTip() == m_full)
+        setToolTip(text() == m_full ? QString() : m_full);
 }
 
 void ElidedLabel::resizeEvent(QResizeEvent* event)
 {
     QLabel::resizeEvent(event);
-    setFullText(m_full);
+    elide();
 }
 
 namespace {

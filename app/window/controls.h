@@ -131,7 +131,7 @@ private:
     bool m_open = true;
 };
 
-// One line of text that is cut with an ellipsis where there is no room for it.
+// One line of text that is cut with an ellipsis where there is no room for it; then its tooltip is the whole text.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:
@@ -143,6 +143,7 @@ protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
+    void elide();
     QString m_full;
 };
 

@@ -8,11 +8,11 @@
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "core/image/samples.h"
+#include "core/mesh/pictures.h"
 #include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileInfo>
-#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
 #include <QScrollArea>
@@ -31,12 +31,11 @@ QToolButton* lineButton(const char* picture, const QString& tip)
     return button;
 }
 
-QLabel* factsLabel()
+ElidedLabel* factsLabel()
 {
-    auto* label = new QLabel;
+    auto* label = new ElidedLabel;
     label->setFont(smallFont());
     label->setProperty("role", "dim");
-    label->setWordWrap(true);
     return label;
 }
 
@@ -121,12 +120,17 @@ void MapPanel::addMesh(Section& section)
     section.body()->addWidget(m_shapes);
     m_parts = new QComboBox;
     m_parts->setObjectName("parts");
+    m_parts->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a long name does not widen the panel
     m_parts->setToolTip(
         tr("Which part of the mesh shows the material, by the materials of its file; the maps that the file has for it are taken"));
     section.body()->addWidget(m_parts);
     connect(m_parts, &QComboBox::activated, this, [this](int index) { choosePart(m_parts->itemData(index).toString()); });
     auto* line = new QHBoxLayout;
-    line->addWidget(m_meshFacts = factsLabel(), 1);
+    auto* facts = new QVBoxLayout;
+    facts->setSpacing(0);
+    facts->addWidget(m_meshName = factsLabel());
+    facts->addWidget(m_meshFacts = factsLabel());
+    line->addLayout(facts, 1);
     line->addWidget(open, 0, Qt::AlignTop);
     section.body()->addLayout(line);
     connect(m_shapes, &Segmented::chosen, this, [this](int index) { setMesh(qt(kShapes[std::size_t(index)])); });
@@ -140,7 +144,7 @@ void MapPanel::addEnvironment(Section& section)
     section.setAcceptDrops(true);
     section.installEventFilter(this);
     auto* line = new QHBoxLayout;
-    m_environmentName = new QLabel;
+    m_environmentName = new ElidedLabel;
     auto* open = lineButton("open", tr("Open a panorama: HDR or EXR"));
     m_studio = lineButton("reset", tr("Back to the built-in studio"));
     line->addWidget(m_environmentName, 1);
@@ -176,7 +180,7 @@ void MapPanel::locate(MapKind kind, const QString& file)
     m_assets.propose(tr("Locate maps"), [kind, file, folder, lost](State& state) {
         for (std::size_t i : lost) {
             const QString beside = folder.filePath(QFileInfo(QString::fromStdString(state.slots[i].file)).fileName());
-            if (QFileInfo::exists(beside))
+            if (pictureMayExist(beside.toStdString()))
                 state.slots[i].file = beside.toStdString();
         }
         state.slots[std::size_t(kind)].file = QFileInfo(file).absoluteFilePath().toStdString();
@@ -231,13 +235,13 @@ void MapPanel::refresh()
         line->show(state.slots[std::size_t(line->kind().kind)], loaded.material.get());
     const auto shape = std::find(kShapes.begin(), kShapes.end(), state.mesh);
     m_shapes->setCurrent(shape == kShapes.end() ? -1 : int(shape - kShapes.begin()));
-    QString facts = loaded.mesh ? meshFacts(*loaded.mesh) : QString();
-    if (shape == kShapes.end())
-        facts.prepend(QFileInfo(QString::fromStdString(state.mesh)).fileName() + '\n');
-    m_meshFacts->setText(facts);
+    m_meshFacts->setFullText(loaded.mesh ? meshFacts(*loaded.mesh) : QString());
+    m_meshName->setFullText(QFileInfo(QString::fromStdString(state.mesh)).fileName());
+    m_meshName->setToolTip(QString::fromStdString(state.mesh));
+    m_meshName->setVisible(shape == kShapes.end());
     showParts(state, loaded.mesh.get());
     const bool studio = state.environment == "studio";
-    m_environmentName->setText(studio ? tr("Studio") : QFileInfo(QString::fromStdString(state.environment)).fileName());
+    m_environmentName->setFullText(studio ? tr("Studio") : QFileInfo(QString::fromStdString(state.environment)).fileName());
     m_studio->setVisible(!studio);
 }
 

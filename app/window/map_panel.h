@@ -7,11 +7,11 @@
 #include <QWidget>
 
 class QComboBox;
-class QLabel;
 class QToolButton;
 
 namespace relievo {
 
+class ElidedLabel;
 class MapRow;
 class Section;
 class Segmented;
@@ -43,7 +43,7 @@ private:
     QVector<MapRow*> m_rows;
     Segmented* m_shapes = nullptr;
     QComboBox* m_parts = nullptr;
-    QLabel *m_meshFacts = nullptr, *m_environmentName = nullptr;
+    ElidedLabel *m_meshName = nullptr, *m_meshFacts = nullptr, *m_environmentName = nullptr;
     QToolButton* m_studio = nullptr;
 };
 

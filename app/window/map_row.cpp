@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/map_row.h"
+#include "app/window/controls.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "app/window/thumbnails.h"
@@ -47,7 +48,7 @@ MapRow::MapRow(const MapKindRow& kind, QWidget* parent)
     : QWidget(parent)
     , m_kind(kind)
     , m_name(new QLabel(qt(kind.label), this))
-    , m_facts(new QLabel(this))
+    , m_facts(new ElidedLabel(this))
     , m_locate(toolButton("locate", tr("The file is not there: say where it is now"), this))
     , m_invert(kind.kind == MapKind::Normal ? toolButton("flip", tr("Green flip: the map is DirectX style"), this)
                                             : toolButton("invert", tr("Invert: black for white"), this))
@@ -103,7 +104,7 @@ void MapRow::show(const MapSlot& slot, const Material* material)
         m_thumbnail = QPixmap::fromImage(thumbnail(*material, m_kind.kind, int(kThumbnail * devicePixelRatio())));
     m_thumbnail.setDevicePixelRatio(devicePixelRatio());
     setFixedHeight(m_filled ? kFilledHeight : kEmptyHeight);
-    m_facts->setText(m_missing ? tr("missing: %1").arg(shownName(slot)) : facts);
+    m_facts->setFullText(m_missing ? tr("missing: %1").arg(shownName(slot)) : facts);
     m_facts->setVisible(m_filled);
     m_facts->setToolTip(m_filled ? QString::fromStdString(slot.file) : QString());
     setRole(*m_name, m_filled ? "" : "dim");

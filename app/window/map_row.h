@@ -11,6 +11,8 @@ class QToolButton;
 
 namespace relievo {
 
+class ElidedLabel;
+
 class MapRow : public QWidget {
     Q_OBJECT
 public:
@@ -41,7 +43,8 @@ protected:
 private:
     const MapKindRow& m_kind;
     QPixmap m_thumbnail;
-    QLabel *m_name, *m_facts;
+    QLabel* m_name;
+    ElidedLabel* m_facts;
     QToolButton *m_locate, *m_invert, *m_clear;
     QComboBox* m_channel;
     bool m_filled = false, m_missing = false, m_dropHere = false;

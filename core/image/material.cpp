@@ -6,6 +6,7 @@
 #include "core/image/file_names.h"
 #include "core/image/map_image.h"
 #include "core/image/samples.h"
+#include "core/mesh/pictures.h"
 #include <algorithm>
 #include <charconv>
 #include <mutex>
@@ -217,8 +218,7 @@ private:
 
     void drop(MapKind kind, const Error& error, Warnings& warnings)
     {
-        std::error_code code;
-        const bool missing = slot(kind).file.starts_with(kSamplePrefix) || !fs::exists(slot(kind).file, code);
+        const bool missing = slot(kind).file.starts_with(kSamplePrefix) || !pictureMayExist(slot(kind).file);
         std::string label(row(kind).label);
         label[0] = char(label[0] - 'A' + 'a');
         warnings.push_back({missing ? "map-missing" : "map-broken",

@@ -80,6 +80,12 @@ bool namesEmbeddedPicture(const fs::path& name)
     return embeddedOf(name).has_value();
 }
 
+bool pictureMayExist(const fs::path& name)
+{
+    const std::optional<Embedded> embedded = embeddedOf(name);
+    return isFile(embedded ? embedded->file : name);
+}
+
 Expected<std::vector<std::byte>> readEmbeddedPicture(const fs::path& name)
 {
     const std::optional<Embedded> embedded = embeddedOf(name);

@@ -19,6 +19,9 @@ std::optional<std::filesystem::path> findPicture(const std::vector<std::filesyst
 std::string embeddedPictureName(const std::filesystem::path& gltf, int picture);
 bool namesEmbeddedPicture(const std::filesystem::path& name);
 
+// Whether there is a file of that name, or the glTF file that should hold the picture.
+bool pictureMayExist(const std::filesystem::path& name);
+
 // The undecoded bytes (PNG, JPEG ...). Errors name the file.
 Expected<std::vector<std::byte>> readEmbeddedPicture(const std::filesystem::path& name);
 

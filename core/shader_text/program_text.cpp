@@ -115,7 +115,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file(normalsFile(features.maps));
         if (technique->searches && features.shadows)
             part.file(technique->isExact ? "shadow_slack_exact.glsl" : "shadow_slack_bias.glsl")
-                .file("shadow_search.glsl")
+                .file(features.prisms ? "shadow_prisms.glsl" : "shadow_search.glsl")
                 .file(features.softShadows ? "shadow_soft.glsl" : "shadow_hard.glsl");
         else
             part.file("shadow_none.glsl");
@@ -200,7 +200,7 @@ ProgramFeatures programFeatures(
 
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read)
 {
-    return program(meshVertex(features.posed, features.curved, read), meshFragment(features, read));
+    return program(meshVertex(features.posed, features.curved && !features.prisms, read), meshFragment(features, read));
 }
 
 Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read)

@@ -4,9 +4,11 @@
 #include "app/window/animation_bar.h"
 #include "app/window/mesh_reference.h"
 #include "tests/app/window_support.h"
+#include <QBuffer>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QScrollArea>
 #include <QToolButton>
 
 using namespace relievo;
@@ -87,4 +89,30 @@ TEST_F(WindowTest, APartOfAMeshTakesItsOwnMaps)
     EXPECT_NE(state().slots[std::size_t(MapKind::Height)].file, ""); // the file has none
     window.action("undo")->trigger();
     EXPECT_EQ(state().part, "");
+}
+
+TEST_F(WindowTest, PicturesInsideAMeshFileAreItsMaps)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    ASSERT_TRUE(window.viewport().picture().scaled(8, 8).save(&buffer, "PNG"));
+    const float corners[] = {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f}; // positions, then UVs
+    const QByteArray bytes(reinterpret_cast<const char*>(corners), sizeof corners);
+    QFile gltf(folder.filePath("a mesh of a name that is far too long for the panel at its side, by any measure.gltf"));
+    ASSERT_TRUE(gltf.open(QIODevice::WriteOnly));
+    gltf.write(
+        R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
+        R"({"POSITION":0,"TEXCOORD_0":1},"material":0}]}],"materials":[{"name":"m","pbrMetallicRoughness":{"baseColorTexture":{)"
+        R"("index":0}}}],"textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)"
+        + png.toBase64() + R"("}],"buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,)" + bytes.toBase64()
+        + R"("}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24}],"accessors":[{"bufferView":0,)"
+          R"("componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},{"bufferView":1,"componentType":5126,"count":3,)"
+          R"("type":"VEC2"}]})");
+    gltf.close();
+    window.assets().openDocument(gltf.fileName());
+    ASSERT_TRUE(waitFor([&] { return state().mesh == gltf.fileName().toStdString() && !window.assets().background().busy(); }));
+    EXPECT_TRUE(window.assets().resources().material->map(MapKind::Color));
+    EXPECT_FALSE(mapRow("color").isMissing());
+    const auto* scroll = window.maps().findChild<QScrollArea*>();
+    EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()); // nothing is cut off at the side
 }

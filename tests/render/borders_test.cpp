@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shader_text/program_text.h"
+#include "core/shader_text/scene_uniforms.h"
+#include "core/trace/displaced_mesh.h"
 #include "render/mesh_errors.h"
 #include <algorithm>
 #include <cmath>
@@ -115,6 +117,60 @@ TEST(Prisms, FollowTheMesh)
         EXPECT_LT(prisms.coverage, quadric.coverage + 1e-4) << mesh;
         EXPECT_LT(prisms.depthRmse, quadric.depthRmse + 0.01) << mesh;
         EXPECT_EQ(prisms.invalid, 0.) << mesh;
+    }
+}
+
+// What pictures say of the light, and what lies between the light and the point on the displaced mesh.
+TEST(Prisms, ShadowsAreThoseOfTheDisplacedMesh)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    constexpr int kWidth = 240, kHeight = 180;
+    Renderer renderer;
+    for (const char* mesh : {"sphere", "box", "cylinder"}) { // convex: what hides the light is relief
+        State state = onMesh(mesh);
+        Parameters& p = state.parameters;
+        p.shadows = true, p.depth = 0.04f, p.lightPitch = 20.f;
+        const auto resources = *loadResources(state, {}, {});
+        p.tiling = 4.f * resources.mesh->metresPerUV;
+        const CameraView camera = cameraView(state.camera, resources.mesh->boundsMin, resources.mesh->boundsMax, float(kWidth) / kHeight);
+        const glm::vec3 toLight = sceneUniforms(p, camera, resources.mesh->metresPerUV).lightDirection;
+        const auto surface = DisplacedMesh::build(
+            *resources.mesh, *resources.material->height, p, DisplacedMesh::detailFor(*resources.mesh, camera, state.camera.fov, kHeight));
+        ASSERT_TRUE(surface) << mesh;
+        const float depth = physicalDepth(p, resources.mesh->metresPerUV);
+        const auto isHidden = [&](glm::vec3 point, float off) { // seen from the light
+            return surface->hit(point + toLight * 4.f, -toLight).distance < 4.f - off * depth;
+        };
+        const glm::vec3 aside = glm::normalize(glm::cross(toLight, glm::vec3(0.f, 1.f, 0.f))), up = glm::cross(aside, toLight);
+        const auto isEdge = [&](glm::vec3 point, bool truth) { // of a shadow
+            for (const glm::vec3 way : {aside, -aside, up, -up})
+                if (isHidden(point + way * (0.05f * depth), 0.15f) != truth)
+                    return true;
+            return isHidden(point, 0.15f) != truth;
+        };
+        double wrong[4] = {}, sure = 0., hidden = 0.;
+        for (const int kind : {2, 3}) {
+            p.silhouettes = kind;
+            const auto draw = [&](const char* view) { return *drawPicture(renderer, state, 0, resources, view, kWidth, kHeight, 1, true); };
+            const Image position = draw("position"), shadow = draw("shadow");
+            for (int i = 0; i < kWidth * kHeight; ++i) {
+                const int x = i % kWidth, y = i / kWidth;
+                if (position.value(x, y, 3) < 0.5f)
+                    continue;
+                const glm::vec3 point(position.value(x, y, 0), position.value(x, y, 1), position.value(x, y, 2));
+                const glm::vec3 sight = glm::normalize(point - camera.eye);
+                const float off = std::abs(surface->hit(camera.eye, sight).distance - glm::distance(camera.eye, point));
+                const bool truth = isHidden(point, 0.02f);
+                if (off > 0.02f * depth || isEdge(point, truth))
+                    continue; // on the reference's own triangles, or at the edge of a shadow
+                wrong[kind] += truth != (shadow.value(x, y, 0) < 0.5f);
+                sure += kind == 3, hidden += kind == 3 && truth;
+            }
+        }
+        EXPECT_GT(hidden, 0.1 * sure) << mesh;
+        EXPECT_LT(wrong[3], 0.01 * sure) << mesh;
+        EXPECT_LE(wrong[3], wrong[2]) << mesh;
     }
 }
 
