@@ -88,6 +88,13 @@ bool MeshUpload::isClosed()
     return *m_closed;
 }
 
+bool MeshUpload::isFinerThanPixels() const
+{
+    GLint viewport[4] = {};
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    return m_mesh->indices.size() / 3 > std::size_t(viewport[2]) * std::size_t(viewport[3]);
+}
+
 bool MeshUpload::hasBorders()
 {
     if (!m_borders) {

@@ -21,6 +21,7 @@ public:
     // isClosed and whether bordersOf finds any; for silhouettes.
     bool isClosed();
     bool hasBorders();
+    bool isFinerThanPixels() const; // has more triangles than the viewport has pixels: drawing it costs more than searching what is hidden
     bool hasPrisms(); // whether the driver's buffers are large enough for the mesh
 
     // Binds the pose that clip and time name, the borders and the prisms, for a program that reads them. part: State::part.

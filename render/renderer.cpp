@@ -101,7 +101,9 @@ struct Renderer::Impl {
             draw(MeshUpload::Parts::Relief, polygons);
             draw(MeshUpload::Parts::Plain, polygons);
         };
-        glEnable(GL_CULL_FACE);
+        if (!features.curved && mesh.isFinerThanPixels())
+            return drawAll(false);
+        glEnable(GL_CULL_FACE); // the fronts first: what they hide is not searched
         glCullFace(GL_BACK);
         drawAll(false);
         if (features.curved && !intoShadowMap && !mesh.isClosed()) {

@@ -280,6 +280,46 @@ TEST(Parts, AMeshFileWithTexturesIsASource)
 }
 
 // On a plane the derivatives are exact; where u and v are skewed the thesis' unit vectors slide.
+// With more triangles than pixels both sides are drawn at once; the nearer one shows all the same, here on a box without its first
+// triangles.
+TEST(FineMeshes, LookAsCoarseOnes)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    const State state = stateOn("box");
+    Resources resources = resourcesOf(state);
+    Mesh open = *resources.mesh;
+    open.indices.erase(open.indices.begin(), open.indices.begin() + 6);
+    open.parts = {{"box", "", 0, std::uint32_t(open.indices.size()), 1.f}};
+    Mesh fine = open;
+    while (fine.indices.size() / 3 <= 160 * 120) { // each triangle in four
+        std::vector<std::uint32_t> indices;
+        for (std::size_t i = 0; i < fine.indices.size(); i += 3) {
+            const std::uint32_t corner[3] = {fine.indices[i], fine.indices[i + 1], fine.indices[i + 2]};
+            std::uint32_t middle[3];
+            for (std::size_t k = 0; k < 3; ++k) {
+                Vertex v = fine.vertices[corner[k]];
+                const Vertex& next = fine.vertices[corner[(k + 1) % 3]];
+                v.position = (v.position + next.position) * 0.5f, v.uv = (v.uv + next.uv) * 0.5f;
+                middle[k] = std::uint32_t(fine.vertices.size());
+                fine.vertices.push_back(v);
+            }
+            indices.insert(indices.end(),
+                {corner[0], middle[0], middle[2], middle[0], corner[1], middle[1], middle[2], middle[1], corner[2], middle[0], middle[1],
+                    middle[2]});
+        }
+        fine.indices = std::move(indices);
+    }
+    fine.parts[0].indexCount = std::uint32_t(fine.indices.size());
+    const auto drawn = [&](const Mesh& mesh) {
+        Renderer renderer;
+        resources.mesh = std::make_shared<const Mesh>(mesh);
+        return picture(renderer, state, resources, "position");
+    };
+    EXPECT_LT(differing(drawn(fine), drawn(open), 1e-3f), 0.01);
+    EXPECT_GT(differing(drawn(*resourcesOf(state).mesh), drawn(open), 1e-3f), 0.1); // the inside is seen
+}
+
 TEST(Frames, DerivativesAgreeWithVerticesAndTheThesisDoesNot)
 {
     const auto context = WindowlessContext::create();
