@@ -90,6 +90,7 @@ constexpr Change kChanges[] = {
     {"silhouettes: prisms", [](Parameters& p) { p.silhouettes = 3; }},
     {"depth of the relief", [](Parameters& p) { p.depthOfHit = true; }},
     {"frames from derivatives", [](Parameters& p) { p.frames = 1; }},
+    {"frames as in the thesis, without skew", [](Parameters& p) { p.frames = 2; }},
     {"fade at edges 0.3", [](Parameters& p) { p.edgeFade = 0.3f; }},
     {"self-shadows", [](Parameters& p) { p.shadows = true; }},
     {"shadows between objects", [](Parameters& p) { p.objectShadows = true; }},

@@ -1,4 +1,5 @@
-// Relief on meshes against the displaced mesh: outline and depth for each kind of silhouettes; and what each switch costs.
+// Relief on meshes against the displaced mesh: outline and depth for each kind of silhouettes, depth for frames from derivatives; and what
+// each switch costs.
 // mesh_bench [DEPTH] [MESH...]; DEPTH: share of the mesh's longest side; a tile of the texture is a quarter of that side.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -53,7 +54,8 @@ int main(int argc, char** argv)
     if (meshes.empty())
         meshes = {"sphere", "torus", "cylinder", "plane", "box", "teapot"};
     std::printf("Depth %g of the longest side, %dx%d; outline, depth\n"
-                "| mesh | no silhouettes | axes | quadric | prisms | quadric / none | prisms / none |\n|---|---|---|---|---|---|---|\n",
+                "| mesh | no silhouettes | axes | quadric | prisms | quadric / none | prisms / none | derivatives | thesis "
+                "|\n|---|---|---|---|---|---|---|---|---|\n",
         double(depth), kWidth, kHeight);
     std::vector<MeshRow> timed;
     for (const std::string& mesh : meshes) {
@@ -68,7 +70,8 @@ int main(int argc, char** argv)
         std::printf("| %s |", found->name.c_str());
         for (std::size_t kind = 0; kind < 4; ++kind)
             std::printf(" %.2f %% / %.1f px |", 100. * rows[kind].coverage, rows[kind].depthRmse);
-        std::printf(" %.2f | %.2f |\n", rows[2].coverage / rows[0].coverage, rows[3].coverage / rows[0].coverage);
+        std::printf(" %.2f | %.2f | %.1f px | %.1f px |\n", rows[2].coverage / rows[0].coverage, rows[3].coverage / rows[0].coverage,
+            rows[5].depthRmse, rows[6].depthRmse);
         for (const MeshRow& row : rows)
             if (row.invalid > 0.)
                 std::printf("%s: %g pixels are no numbers\n", row.label.c_str(), row.invalid);
