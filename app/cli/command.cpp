@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/file.h"
+#include "core/mesh/pose.h"
 #include "core/state/presets.h"
 #include "core/state/state_json.h"
 #include "core/state/techniques.h"
@@ -132,6 +133,20 @@ Result<Opened> openState(const StateOptions& options, const Progress& progress)
     return opened;
 }
 
+namespace {
+// A moment that the mesh does not have.
+std::optional<Warning> missingClip(const Scene& scene)
+{
+    const Mesh& mesh = *scene.resources.mesh;
+    const Parameters parameters = effectiveParameters(scene.state, 0);
+    const std::size_t clips = mesh.deformation ? mesh.deformation->clips.size() : 0;
+    if (std::size_t(parameters.clip) < clips || (parameters.clip == 0 && parameters.time == 0.f))
+        return std::nullopt;
+    const std::string has = clips == 0 ? "no animation" : clips == 1 ? "one animation, 0" : "animations 0 to " + std::to_string(clips - 1);
+    return Warning{"no-clip", mesh.name + " has " + has + "; it is shown at rest."};
+}
+} // namespace
+
 Result<Scene> openScene(const StateOptions& options, const Progress& progress)
 {
     auto opened = openState(options, progress);
@@ -145,6 +160,8 @@ Result<Scene> openScene(const StateOptions& options, const Progress& progress)
         for (const Warning& warning : *more)
             if (!std::ranges::count(scene.warnings, warning))
                 scene.warnings.push_back(warning);
+    if (auto warning = missingClip(scene))
+        scene.warnings.push_back(std::move(*warning));
     return scene;
 }
 

@@ -125,6 +125,21 @@ TEST(Cli, RenderFollowsItsOptions)
         EXPECT_NE(rendered(option), plain) << option;
 }
 
+TEST(Cli, AnimationsThatTheMeshLacksAreTold)
+{
+    TestFolder folder("clip");
+    const auto told = [&](const std::string& options) {
+        const ProgramRun run
+            = runRelievo("render sample:bricks@64 --technique flat --size 32x24 --samples 1 -o " + (folder / "x.png") + ' ' + options);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return run.err;
+    };
+    EXPECT_EQ(told("--mesh character --set clip=0 --set time=0.5"), "");
+    EXPECT_NE(told("--mesh character --set clip=5").find("has one animation, 0; it is shown at rest"), std::string::npos);
+    EXPECT_NE(told("--mesh sphere --set time=1").find("has no animation; it is shown at rest"), std::string::npos);
+    EXPECT_EQ(told("--mesh sphere"), "");
+}
+
 TEST(Cli, OptionsApplyInTheirOrder)
 {
     TestFolder folder("order");
