@@ -5,6 +5,7 @@
 #include "core/mesh/across.h"
 #include "core/mesh/borders.h"
 #include "core/mesh/closed.h"
+#include "core/mesh/coarse.h"
 #include "core/mesh/curvature.h"
 #include "core/mesh/push.h"
 #include "core/source.h"
@@ -164,7 +165,17 @@ void MeshUpload::makeVertices()
         m_pose.addAttributes(*m_mesh);
 }
 
-void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature)
+void MeshUpload::makeCoarse()
+{
+    const glm::vec3 size = m_mesh->boundsMax - m_mesh->boundsMin;
+    CoarseTriangles coarse = coarseTriangles(*m_mesh, std::max({size.x, size.y, size.z}) / 96.f);
+    m_coarse = newBuffer();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, *m_coarse);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(coarse.indices.size() * 4), coarse.indices.data(), GL_STATIC_DRAW);
+    m_coarseFirst = std::move(coarse.firstIndex);
+}
+
+void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature, bool coarse)
 {
     if (!m_vertexArray)
         makeVertices();
@@ -175,16 +186,20 @@ void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_vie
         m_curvature = vectorAttribute(6, vertexFalls(*m_mesh, curvature == 1));
         m_curvatureKind = curvature;
     }
+    if (coarse && !m_coarse)
+        makeCoarse();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, coarse ? *m_coarse : *m_indices);
     const std::vector<MeshPart>& all = m_mesh->parts;
     for (std::size_t i = 0, last = 0; i < all.size(); i = std::max(last, i + 1)) { // neighbours in one call
         std::uint32_t count = 0;
         for (last = i; last < all.size() && isPlain(*m_mesh, all[last], part) == (parts == Parts::Plain); ++last)
-            count += all[last].indexCount;
+            count += coarse ? m_coarseFirst[last + 1] - m_coarseFirst[last] : all[last].indexCount;
         if (count == 0)
             continue;
-        program.set("firstTriangle", float(all[i].firstIndex / 3));
-        glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
-            reinterpret_cast<const void*>(std::uintptr_t(all[i].firstIndex) * sizeof(std::uint32_t)));
+        const std::uint32_t first = coarse ? m_coarseFirst[i] : all[i].firstIndex;
+        program.set("firstTriangle", float(first / 3));
+        glDrawElements(
+            GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::uintptr_t(first) * sizeof(std::uint32_t)));
     }
     glBindVertexArray(0);
 }

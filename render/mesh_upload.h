@@ -32,15 +32,18 @@ public:
     bool has(Parts parts, std::string_view part) const;
     // Draws their triangles. Attribute locations are those of the vertex stage's files.
     // pushed: with the directions of core/mesh/push.h, which are made only then. curvature: the parameter `silhouettes`; 0 wants none.
-    void draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature);
+    // coarse: fewer triangles (core/mesh/coarse.h), for programs that read nothing by triangle.
+    void draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature, bool coarse);
 
 private:
     void makeVertices();
+    void makeCoarse();
     void bindPrisms(const LinkedProgram& program, const Pose& pose, std::string_view part);
 
     std::shared_ptr<const Mesh> m_mesh;
     VertexArray m_vertexArray;
-    Buffer m_vertices, m_indices, m_push, m_curvature;
+    Buffer m_vertices, m_indices, m_push, m_curvature, m_coarse;
+    std::vector<std::uint32_t> m_coarseFirst; // CoarseTriangles::firstIndex
     int m_curvatureKind = 0; // of what lies in m_curvature
     std::optional<bool> m_closed;
     std::optional<BufferTexture> m_borders; // without a texture when the mesh has none

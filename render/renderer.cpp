@@ -78,7 +78,7 @@ struct Renderer::Impl {
     // use(program, uniforms) makes a program ready.
     template <class Use>
     void drawSurface(const State& state, const ProgramFeatures& features, const Parameters& parameters, const SceneUniforms& uniforms,
-        bool intoShadowMap, const Use& use, std::optional<Error>& error)
+        bool intoShadowMap, bool coarse, const Use& use, std::optional<Error>& error)
     {
         const LinkedProgram* ready = nullptr; // for the parts `readyFor`
         MeshUpload::Parts readyFor = MeshUpload::Parts::Relief;
@@ -94,7 +94,7 @@ struct Renderer::Impl {
                 if (program != std::exchange(ready, program) || parts != std::exchange(readyFor, parts))
                     use(*program, values);
                 mesh.draw(*program, parts, state.part, values.pushOut != 0.f,
-                    used.curved && !used.prisms && !polygons ? parameters.silhouettes : 0);
+                    used.curved && !used.prisms && !polygons ? parameters.silhouettes : 0, coarse);
             }
         };
         const auto drawAll = [&](bool polygons) {
@@ -128,7 +128,7 @@ struct Renderer::Impl {
         features.depthOfHit = technique.displaces;
         const ShadowCause cause{
             parameters, features.technique, state.part, resources.mesh, resources.material, boundFor(resources, technique, parameters)};
-        shadowMap.draw(cause, [&] { drawSurface(state, features, parameters, light, true, use, error); });
+        shadowMap.draw(cause, [&] { drawSurface(state, features, parameters, light, true, false, use, error); });
         uniforms.shadowFromWorld = light.clipFromWorld;
         const glm::mat4& clip = light.clipFromWorld;
         uniforms.shadowTexel = 2.f / (glm::length(glm::vec3(clip[0][0], clip[1][0], clip[2][0])) * float(parameters.shadowMapSize));
@@ -209,7 +209,6 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     SceneUniforms uniforms = sceneUniforms(parameters, camera, mesh.metresPerUV);
     uniforms.pushOut = technique->displaces ? (1.f - parameters.midlevel) * uniforms.reliefDepth : 0.f;
     uniforms.heatScale = 1.f / heatRange(parameters, view);
-
     if (const auto fits = fitTheDriver(*resources.material); !fits)
         return fits;
     if (m->programs.reload())
@@ -237,7 +236,8 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         m->drawShadowMap(state, features, parameters, uniforms, used, use, error);
         bindTarget(target);
     }
-    m->drawSurface(state, features, parameters, uniforms, false, use, error);
+    const bool coarse = target.hasty && !features.curved && m->mesh.isFinerThanPixels();
+    m->drawSurface(state, features, parameters, uniforms, false, coarse, use, error);
     if (parameters.wireframe) {
         if (const LinkedProgram* lines = m->polygonProgramFor(features.posed, error)) {
             use(*lines, uniforms);
@@ -248,7 +248,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
             glEnable(GL_POLYGON_OFFSET_LINE);
             glPolygonOffset(-1.f, -1.f);
             for (const MeshUpload::Parts parts : {MeshUpload::Parts::Relief, MeshUpload::Parts::Plain})
-                m->mesh.draw(*lines, parts, state.part, uniforms.pushOut != 0.f, 0);
+                m->mesh.draw(*lines, parts, state.part, uniforms.pushOut != 0.f, 0, coarse);
             glDisable(GL_POLYGON_OFFSET_LINE);
             glDisable(GL_BLEND);
             glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -146,8 +146,8 @@ Expected<void> Viewport::drawPane(int pane, double scale, glm::vec2 shift)
     const PaneArea size = area(pane);
     Framebuffer& picture = m_pictures->drawn[std::size_t(pane)];
     picture.resize(scaled(size.width, scale), scaled(size.height, scale));
-    const Target target{
-        picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift, false};
+    const Target target{picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift,
+        scale < 1., false};
     return m_renderer->draw(m_document.state(), std::size_t(pane), m_reference->resourcesOf(pane), m_document.state().view, target);
 }
 

@@ -6,6 +6,7 @@
 #include "render/mesh_errors.h"
 #include <cmath>
 #include <cstdlib>
+#include <epoxy/gl.h>
 #include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
@@ -68,6 +69,31 @@ Resources posedResources(const State& state, const Resources& resources)
     mesh.boundsMin = resources.mesh->boundsMin, mesh.boundsMax = resources.mesh->boundsMax; // the camera's framing
     still.mesh = std::make_shared<Mesh>(std::move(mesh));
     return still;
+}
+
+// Each triangle in four, until there are more than `triangles`; of a mesh of one part.
+Mesh finer(Mesh fine, std::size_t triangles)
+{
+    while (fine.indices.size() / 3 <= triangles) {
+        std::vector<std::uint32_t> indices;
+        for (std::size_t i = 0; i < fine.indices.size(); i += 3) {
+            const std::uint32_t corner[3] = {fine.indices[i], fine.indices[i + 1], fine.indices[i + 2]};
+            std::uint32_t middle[3];
+            for (std::size_t k = 0; k < 3; ++k) {
+                Vertex v = fine.vertices[corner[k]];
+                const Vertex& next = fine.vertices[corner[(k + 1) % 3]];
+                v.position = (v.position + next.position) * 0.5f, v.uv = (v.uv + next.uv) * 0.5f;
+                middle[k] = std::uint32_t(fine.vertices.size());
+                fine.vertices.push_back(v);
+            }
+            indices.insert(indices.end(),
+                {corner[0], middle[0], middle[2], middle[0], corner[1], middle[1], middle[2], middle[1], corner[2], middle[0], middle[1],
+                    middle[2]});
+        }
+        fine.indices = std::move(indices);
+    }
+    fine.parts[0].indexCount = std::uint32_t(fine.indices.size());
+    return fine;
 }
 
 } // namespace
@@ -291,26 +317,7 @@ TEST(FineMeshes, LookAsCoarseOnes)
     Mesh open = *resources.mesh;
     open.indices.erase(open.indices.begin(), open.indices.begin() + 6);
     open.parts = {{"box", "", 0, std::uint32_t(open.indices.size()), 1.f}};
-    Mesh fine = open;
-    while (fine.indices.size() / 3 <= 160 * 120) { // each triangle in four
-        std::vector<std::uint32_t> indices;
-        for (std::size_t i = 0; i < fine.indices.size(); i += 3) {
-            const std::uint32_t corner[3] = {fine.indices[i], fine.indices[i + 1], fine.indices[i + 2]};
-            std::uint32_t middle[3];
-            for (std::size_t k = 0; k < 3; ++k) {
-                Vertex v = fine.vertices[corner[k]];
-                const Vertex& next = fine.vertices[corner[(k + 1) % 3]];
-                v.position = (v.position + next.position) * 0.5f, v.uv = (v.uv + next.uv) * 0.5f;
-                middle[k] = std::uint32_t(fine.vertices.size());
-                fine.vertices.push_back(v);
-            }
-            indices.insert(indices.end(),
-                {corner[0], middle[0], middle[2], middle[0], corner[1], middle[1], middle[2], middle[1], corner[2], middle[0], middle[1],
-                    middle[2]});
-        }
-        fine.indices = std::move(indices);
-    }
-    fine.parts[0].indexCount = std::uint32_t(fine.indices.size());
+    const Mesh fine = finer(open, 160 * 120);
     const auto drawn = [&](const Mesh& mesh) {
         Renderer renderer;
         resources.mesh = std::make_shared<const Mesh>(mesh);
@@ -318,6 +325,38 @@ TEST(FineMeshes, LookAsCoarseOnes)
     };
     EXPECT_LT(differing(drawn(fine), drawn(open), 1e-3f), 0.01);
     EXPECT_GT(differing(drawn(*resourcesOf(state).mesh), drawn(open), 1e-3f), 0.1); // the inside is seen
+}
+
+// While the eye moves a mesh of more triangles than pixels is drawn with fewer: almost the same picture.
+TEST(FineMeshes, HastyPicturesAreAlmostTheSame)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    constexpr int kWidth = 80, kHeight = 60;
+    State state = stateOn("sphere", "flat");
+    state.parameters.background = 2;
+    Resources resources = resourcesOf(state);
+    resources.mesh = std::make_shared<const Mesh>(finer(*resources.mesh, 200000));
+    Renderer renderer;
+    const auto drawn = [&](bool hasty) {
+        Framebuffer framebuffer;
+        framebuffer.resize(kWidth, kHeight, true);
+        const auto done
+            = renderer.draw(state, 0, resources, "position", {framebuffer.handle(), kWidth, kHeight, true, 1.f, glm::vec2(0.f), hasty});
+        EXPECT_TRUE(done);
+        std::vector<glm::vec4> pixels(kWidth * kHeight);
+        glReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_FLOAT, pixels.data());
+        return pixels;
+    };
+    const std::vector<glm::vec4> whole = drawn(false), hasty = drawn(true);
+    EXPECT_FALSE(whole == hasty);
+    int off = 0, covered = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        covered += whole[i].w > 0.5f;
+        off += (whole[i].w > 0.5f) != (hasty[i].w > 0.5f) || (whole[i].w > 0.5f && glm::distance(whole[i], hasty[i]) > 0.02f);
+    }
+    EXPECT_GT(covered, 500);
+    EXPECT_LT(off, covered / 25);
 }
 
 TEST(Frames, DerivativesAgreeWithVerticesAndTheThesisDoesNot)
