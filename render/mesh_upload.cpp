@@ -165,10 +165,13 @@ void MeshUpload::makeVertices()
         m_pose.addAttributes(*m_mesh);
 }
 
+// Along the longest side: about as many as a picture has pixels there that is drawn while the eye moves.
+constexpr float kCoarseCubes = 96.f;
+
 void MeshUpload::makeCoarse()
 {
     const glm::vec3 size = m_mesh->boundsMax - m_mesh->boundsMin;
-    CoarseTriangles coarse = coarseTriangles(*m_mesh, std::max({size.x, size.y, size.z}) / 96.f);
+    CoarseTriangles coarse = coarseTriangles(*m_mesh, std::max({size.x, size.y, size.z}) / kCoarseCubes);
     m_coarse = newBuffer();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, *m_coarse);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(coarse.indices.size() * 4), coarse.indices.data(), GL_STATIC_DRAW);

@@ -17,7 +17,7 @@ struct Target {
     bool linear = false; // float values without exposure, tone curve and sRGB (for EXR); else display values
     float lineWidth = 1.f; // of the wireframe, pixels
     glm::vec2 jitter{0.f}; // shift of the picture in pixels, for averaging several into a smooth one
-    bool hasty = false; // lasts a moment: a mesh of more triangles than pixels may be drawn with fewer
+    bool hasty = false; // the picture lasts a moment: a mesh of more triangles than pixels may be drawn with fewer
     bool mayBake = true; // makes a bound map that the resources lack; a window does not, it would stand still
 };
 

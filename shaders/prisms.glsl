@@ -25,14 +25,29 @@ Corner cornerOf(float vertex, float depth)
     return Corner(place.xyz + push, normal.xyz * -depth, textureFromMesh * vec2(place.w, normal.w) + textureShift);
 }
 
-int trianglesStart()
+int trianglesStart = 0; // texel; seen() reads it once
+
+struct Prism {
+    vec4 vertices; // of its triangle
+    Corner corners[3];
+};
+
+Prism prismOf(int triangle, float depth)
 {
-    return int(texelFetch(prismMap, 0).x);
+    vec4 vertices = texelFetch(prismMap, trianglesStart + 2 * triangle);
+    return Prism(vertices, Corner[3](cornerOf(vertices.x, depth), cornerOf(vertices.y, depth), cornerOf(vertices.z, depth)));
 }
 
 vec2 uvBetween(Corner corners[3], vec3 weights)
 {
     return corners[0].uv * weights.x + corners[1].uv * weights.y + corners[2].uv * weights.z;
+}
+
+// |N.V| for the triangle itself and a ray along `way`, as Ray::cosView.
+float cosineTo(Corner corners[3], vec3 way)
+{
+    vec3 up = cross(corners[1].place - corners[0].place, corners[2].place - corners[0].place);
+    return clamp(abs(dot(up, way)) * inversesqrt(max(dot(up, up), 1e-30f)), 0.002f, 1.0f);
 }
 
 // The frame of the texture between a triangle's corners.
@@ -159,7 +174,7 @@ struct Entry {
 Entry beyond(int triangle, Exit exit)
 {
     Entry entry = Entry(-1, vec3(0.0f));
-    float across = exit.side < 3 ? texelFetch(prismMap, trianglesStart() + 2 * triangle + 1)[exit.side] : -1.0f;
+    float across = exit.side < 3 ? texelFetch(prismMap, trianglesStart + 2 * triangle + 1)[exit.side] : -1.0f;
     if (across >= 0.0f) {
         entry.triangle = int(across) / 3;
         int edge = int(across) - 3 * entry.triangle;

@@ -10,16 +10,13 @@ bool lightIsHidden(Surface surface, vec3 toLight)
     float begin = 0.0f; // m along the way, where the light goes into the prism
     float below = surface.hit.t; // its depth there
     for (int i = 0; i < kMostPrisms; ++i) {
-        vec4 vertices = texelFetch(prismMap, trianglesStart() + 2 * entry.triangle);
-        Corner corners[3] = Corner[3](cornerOf(vertices.x, depth), cornerOf(vertices.y, depth), cornerOf(vertices.z, depth));
+        Corner corners[3] = prismOf(entry.triangle, depth).corners;
         vec2 uv = i == 0 ? surface.hit.uv : uvBetween(corners, entry.weights);
         Exit exit = exitFrom(corners, surface.point, toLight, begin, depth);
         if (exit.way > begin) {
             vec2 uvThere = uvBetween(corners, exit.weights);
-            vec3 up = cross(corners[1].place - corners[0].place, corners[2].place - corners[0].place);
-            float cosView = abs(dot(up, toLight)) * inversesqrt(max(dot(up, up), 1e-30f));
             float fall = (below - exit.below) / kUnfinished;
-            Ray ray = Ray(uvThere, (uv - uvThere) / kUnfinished, clamp(cosView, 0.002f, 1.0f), kUnfinished);
+            Ray ray = Ray(uvThere, (uv - uvThere) / kUnfinished, cosineTo(corners, toLight), kUnfinished);
             curve = vec3(-exit.below, 1.0f - fall, 0.0f);
             float clears = max(slackCleared(ray, fall), 1e-12f);
             float without = min(slack / clears, ray.end);

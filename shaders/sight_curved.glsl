@@ -1,6 +1,6 @@
 // Looking at a curved surface (Oliveira and Policarpo 2005; RTM report, section 4.4): the ray of sight may leave the relief again, and where
-// it does so without a hit the pixel is past the outline. Near a point the surface falls below its tangent plane by a quadric; ours has the mixed
-// term, which the papers leave out.
+// it does so without a hit the pixel is past the outline. Near a point the surface falls below its tangent plane by a quadric; ours has the
+// mixed term, which the papers leave out.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 in vec3 curvature; // fall = x du^2 + y dv^2 + z du dv, m, du and dv in UVs of the mesh

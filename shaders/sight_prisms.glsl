@@ -13,16 +13,17 @@ Surface seen(Surface surface)
 {
     vec3 way = -surface.toEye;
     float depth = gl_FrontFacing ? surface.depth : -surface.depth;
+    trianglesStart = int(texelFetch(prismMap, 0).x);
     Entry entry = Entry(gl_PrimitiveID + int(firstTriangle), vec3(0.0f));
     float begin = 0.0f; // m along the way, where the ray comes into the prism
     float above = 0.0f; // its depth there
-    int fetches = 0;
+    int fetches = 1;
     surface.hit = Hit(textureUv, 0.0f, false, 0);
     surface.point = position;
     for (int i = 0; i < kMostPrisms; ++i) {
         seenTriangle = entry.triangle;
-        vec4 vertices = texelFetch(prismMap, trianglesStart() + 2 * entry.triangle);
-        Corner corners[3] = Corner[3](cornerOf(vertices.x, depth), cornerOf(vertices.y, depth), cornerOf(vertices.z, depth));
+        Prism prism = prismOf(entry.triangle, depth);
+        Corner corners[3] = prism.corners;
         if (i == 0)
             entry.weights = weightsAt(position, corners[0].place, corners[1].place, corners[2].place);
         vec2 uv = i == 0 ? textureUv : uvBetween(corners, entry.weights);
@@ -31,15 +32,13 @@ Surface seen(Surface surface)
         vec2 uvThere = uvBetween(corners, exit.weights);
 
         float last = exit.side == 3 ? 1.0f : kUnfinished;
-        vec3 up = cross(corners[1].place - corners[0].place, corners[2].place - corners[0].place);
-        float cosView = abs(dot(up, way)) * inversesqrt(max(dot(up, up), 1e-30f));
         curve = vec3(-above, 1.0f - (exit.below - above) / last, 0.0f);
-        Hit hit = trace(Ray(uv, (uvThere - uv) / last, clamp(cosView, 0.002f, 1.0f), last));
+        Hit hit = trace(Ray(uv, (uvThere - uv) / last, cosineTo(corners, way), last));
         fetches += hit.fetches + 8; // of prismMap
         float share = hit.found ? clamp(hit.t / last, 0.0f, 1.0f) : 1.0f;
         surface.hit = Hit(hit.found ? hit.uv : uvThere, mix(above, exit.below, share), hit.found, fetches);
         surface.point = position + way * mix(begin, end, share);
-        surface.frame = frameBetween(vertices, mix(entry.weights, exit.weights, share));
+        surface.frame = frameBetween(prism.vertices, mix(entry.weights, exit.weights, share));
         if (hit.found)
             break;
         entry = beyond(entry.triangle, exit);
