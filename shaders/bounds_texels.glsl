@@ -11,7 +11,7 @@ float boundTexel(ivec2 texel)
 {
     return texelFetch(boundMap, texel, 0).r;
 }
-uvec4 cellCodes(ivec2 cell)
+uvec4 cellCodes(ivec2 node)
 {
-    return texelFetch(cellMap, cell, searchLevel());
+    return texelFetch(cellMap, node, searchLevel());
 }

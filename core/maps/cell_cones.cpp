@@ -229,7 +229,7 @@ BakedMap bakeCellCones(const HeightField& field, const Parameters&, const Progre
     std::array<std::vector<float>, 4> rises;
     float steepest = 0.f;
     for (std::size_t n = 0; n < 4; ++n) {
-        levels[n] = std::min(2 * int(n), grid.cells.top());
+        levels[n] = std::min(2 * int(n) + 1, grid.cells.top());
         const float from = n == 0 ? 0.f : 0.8f + 0.05f * float(n), to = n == 0 ? 0.8f : from + 0.05f;
         rises[n] = risesOf(
             grid, levels[n], [&](float share) { progress.at(from + share * (to - from)); }, progress);
@@ -238,18 +238,19 @@ BakedMap bakeCellCones(const HeightField& field, const Parameters&, const Progre
     }
     const auto [low, high] = std::ranges::minmax(field.texels());
     const Codes codes{low, (high - low) * (1.f + 4e-7f), steepest * (1.f + 4e-7f)};
-    Image image{field.width(), field.height(), 4, PixelType::U16, 16, false, {}};
+    const int width = (field.width() + 1) / 2, height = (field.height() + 1) / 2;
+    Image image{width, height, 4, PixelType::U16, 16, false, {}};
     image.data.resize(image.texelCount() * 8);
-    tbb::parallel_for(0, field.height(), [&](int y) {
-        for (int x = 0; x < field.width(); ++x) {
+    tbb::parallel_for(0, height, [&](int y) {
+        for (int x = 0; x < width; ++x) {
             std::array<std::uint16_t, 4> texel;
             for (std::size_t n = 0; n < 4; ++n) {
-                const int i = x >> levels[n], j = y >> levels[n];
+                const int i = 2 * x >> levels[n], j = 2 * y >> levels[n];
                 const int across = grid.cells.levels[std::size_t(levels[n])].width;
                 texel[n] = std::uint16_t(256u * codes.cap(grid.cells.at(levels[n], i, j))
                     + codes.steep(rises[n][std::size_t(j) * std::size_t(across) + std::size_t(i)]));
             }
-            std::memcpy(image.data.data() + (std::size_t(y) * std::size_t(field.width()) + std::size_t(x)) * 8, texel.data(), 8);
+            std::memcpy(image.data.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 8, texel.data(), 8);
         }
     });
     BakedMap map;

@@ -69,8 +69,9 @@ inline constexpr auto kMaps = std::to_array<MapRow>({
         "2007)."},
     {"cone-robust", "Robust cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, MapForm::Filtered, "", bakeConeRobust,
         "Height, and the smallest of 3 x 3 cone ratios that only texels before a falling edge limit (Ban et al. 2024)."},
-    {"cell-cone", "Cell cones", "codes", 4, {}, 16, 1, MapForm::Codes, "", bakeCellCones,
-        "For each cell between texel centres, and the nodes of 4, 16 and 64 cells a side that hold it: highest point (upper byte) and "
+    {"cell-cone", "Cell cones", "codes", 4, {}, 16, 2, MapForm::Codes, "", bakeCellCones,
+        "For each 2 x 2 cells between texel centres, and the nodes of 8, 32 and 128 cells a side that hold them: highest point (upper "
+        "byte) and "
         "steepest rise from it (lower byte). See the page on cell cones."},
     {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 1, MapForm::Volume, "", bakeDistance,
         "Distance to the relief at up to 128 x 128 x 32 points of the slab, for sphere tracing (Donnelly 2005); the slices one below the "

@@ -4,7 +4,6 @@
 #include "core/maps/search_texture.h"
 #include "core/maps/maps.h"
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <tbb/parallel_for.h>
@@ -84,6 +83,28 @@ Image shelves(const std::vector<std::shared_ptr<const BakedMap>>& pyramids, int 
     return out;
 }
 
+// Levels as one texture holds them: each of half the size of the one before, rounded down, and at least 1. Texels that are added are never
+// read.
+void padToHalving(std::vector<Image>& levels)
+{
+    int width = 1, height = 1;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        width = std::max(width, levels[i].width > 1 ? levels[i].width << i : 1);
+        height = std::max(height, levels[i].height > 1 ? levels[i].height << i : 1);
+    }
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        Image& level = levels[i];
+        const std::size_t texel = level.data.size() / level.texelCount(), row = std::size_t(level.width) * texel;
+        Image padded{
+            std::max(width >> i, 1), std::max(height >> i, 1), level.channels, level.type, level.storedBits, level.storedFloat, {}};
+        padded.data.resize(padded.texelCount() * texel);
+        for (int y = 0; y < level.height; ++y)
+            std::memcpy(
+                padded.data.data() + std::size_t(y) * std::size_t(padded.width) * texel, level.data.data() + std::size_t(y) * row, row);
+        level = std::move(padded);
+    }
+}
+
 } // namespace
 
 std::vector<HeightField> heightLevels(const HeightField& field)
@@ -97,14 +118,17 @@ std::vector<HeightField> heightLevels(const HeightField& field)
     }
     std::vector<HeightField> levels;
     levels.push_back(same ? field : HeightField(field.width(), field.height(), std::move(heights), field.wrap(), field.storedBits()));
-    while (levels.back().width() > 1 || levels.back().height() > 1)
+    while (levels.back().width() > 2 || levels.back().height() > 2)
         levels.push_back(halved(levels.back()));
     return levels;
 }
 
 int levelCount(const HeightField& field)
 {
-    return int(std::bit_width(unsigned(std::max(field.width(), field.height()))));
+    int count = 1;
+    for (int longer = std::max(field.width(), field.height()); longer > 2; longer /= 2)
+        ++count;
+    return count;
 }
 
 std::size_t SearchTexture::bytes() const
@@ -128,6 +152,8 @@ std::shared_ptr<const SearchTexture> searchTextureOf(
         if (row.form != MapForm::Pyramid)
             texture->levels.push_back(map->levels.front());
     }
+    if (row.form == MapForm::Codes && maps.size() > 1)
+        padToHalving(texture->levels);
     return texture;
 }
 

@@ -15,14 +15,15 @@ namespace relievo {
 
 struct MapRow;
 
-// The field's mip levels, finest first: areas averaged, sizes halved rounding down as OpenGL's, until both are 1. Heights of fields
-// with at most 16 stored bits are rounded to 16 bits, as they lie in the texture: bounds baked from them hold for what is drawn.
+// The field's mip levels, finest first: areas averaged, sizes halved rounding down as OpenGL's, until neither exceeds 2 (so that
+// maps of half the size have as many). Heights of fields with at most 16 stored bits are rounded to 16 bits, as they lie in the texture:
+// bounds baked from them hold for what is drawn.
 std::vector<HeightField> heightLevels(const HeightField& field);
 int levelCount(const HeightField& field); // how many there are
 
-// Level i belongs to heightLevels()[i]; texels are addressed like the heights'. A pyramid is one image: level l (from 1 on; level 0 are
-// the corners themselves) of height level i stands on shelf i + l, in slot l - 1. Shelf s has slots of ceil(W / 2^s) x ceil(H / 2^s)
-// texels and lies below the shelves 1 to s - 1.
+// Level i belongs to heightLevels()[i]; texels are addressed like the heights', those of codes by 2 x 2, padded to sizes that halve. A
+// pyramid is one image: level l (from 1 on; level 0 are the corners themselves) of height level i stands on shelf i + l, in slot l - 1.
+// Shelf s has slots of ceil(W / 2^s) x ceil(H / 2^s) texels and lies below the shelves 1 to s - 1.
 struct SearchTexture {
     std::vector<Image> levels;
     int slices = 1; // of a volume, one below the other in the image

@@ -66,13 +66,13 @@ struct Machine : Parameters {
         bytes += boundBytes;
         return boundMap->levels.front().value(texel.x, texel.y, 0);
     }
-    uvec4 cellCodes(ivec2 cell) const
+    uvec4 cellCodes(ivec2 node) const
     {
         bytes += boundBytes;
         std::uint16_t codes[4];
         const Image& image = boundMap->levels.front();
         std::memcpy(
-            codes, image.data.data() + (std::size_t(cell.y) * std::size_t(image.width) + std::size_t(cell.x)) * sizeof codes, sizeof codes);
+            codes, image.data.data() + (std::size_t(node.y) * std::size_t(image.width) + std::size_t(node.x)) * sizeof codes, sizeof codes);
         return {codes[0], codes[1], codes[2], codes[3]};
     }
     vec4 boundAt(vec2 uv) const

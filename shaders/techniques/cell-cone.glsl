@@ -1,5 +1,5 @@
-// Cell cones: one texel a cell tells how far a ray may leap from anywhere in it, by boxes and cones of four nested nodes; a cell that
-// the ray may touch is solved exactly. Ours; definition and proof in resources/help/cell-cones.md.
+// Cell cones: one texel for each 2 x 2 cells tells how far a ray may leap from anywhere in them, by boxes and cones of four nested nodes;
+// a cell that the ray may touch is solved exactly. Ours; definition and proof in resources/help/cell-cones.md.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 #include "cell_solve.glsl"
@@ -22,9 +22,9 @@ Hit trace(Ray ray)
     vec4 scale = boundScale(); // lowest, range, steepest, highest
     float capUnit = scale.y / 255.0f;
     float steepUnit = travel * scale.z / 65025.0f;
-    // The nodes have 1, 4, 16 and 64 cells a side; their walls ahead lie this far from their low corners.
-    vec4 acrossX = vec4(1.0f, 4.0f, 16.0f, 64.0f) * ahead.x;
-    vec4 acrossY = vec4(1.0f, 4.0f, 16.0f, 64.0f) * ahead.y;
+    // The nodes have 2, 8, 32 and 128 cells a side; their walls ahead lie this far from their low corners.
+    vec4 acrossX = vec4(2.0f, 8.0f, 32.0f, 128.0f) * ahead.x;
+    vec4 acrossY = vec4(2.0f, 8.0f, 32.0f, 128.0f) * ahead.y;
     vec2 border = size * ahead;
     float lowest = 1.0f - ray.end;
     Walk walk = walkFrom(ray, slope, size, perTexel, max(1.0f - scale.w, 0.0f) / (1.0f + bendRise(0.0f)));
@@ -39,7 +39,7 @@ Hit trace(Ray ray)
         while (i < 65536 && z > lowest) {
             vec2 inside = clamped() ? clamp(walk.cell, vec2(0.0f), size - 1.0f) : walk.cell;
             ivec2 key = ivec2(inside);
-            ivec4 codes = ivec4(cellCodes(key));
+            ivec4 codes = ivec4(cellCodes(key >> 1));
             ++fetches;
             float rise = 1.0f + bendRise(1.0f - z); // of the heights against the ray
             vec4 above = (z - scale.x + bendFrom(1.0f - z).x) - vec4(codes >> 8) * capUnit;
@@ -48,8 +48,8 @@ Hit trace(Ray ray)
             vec2 toWall = (ahead - walk.p) * inverse;
             vec2 toBorder = (border - walk.cell - walk.p) * inverse;
             vec2 from = walk.cell - inside + walk.p;
-            vec4 wallX = acrossX - vec4(ivec4(key.x) & ivec4(0, 3, 15, 63)); // from the corner of the cell
-            vec4 wallY = acrossY - vec4(ivec4(key.y) & ivec4(0, 3, 15, 63));
+            vec4 wallX = acrossX - vec4(ivec4(key.x) & ivec4(1, 7, 31, 127)); // from the corner of the cell
+            vec4 wallY = acrossY - vec4(ivec4(key.y) & ivec4(1, 7, 31, 127));
             vec4 leaveX = (wallX - from.x) * inverse.x;
             vec4 leaveY = (wallY - from.y) * inverse.y;
             if (clamped()) { // a node at a border goes on beyond it

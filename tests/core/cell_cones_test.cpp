@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/maps/cell_cones.h"
 #include "core/maps/maps.h"
+#include "core/maps/search_texture.h"
 #include "core/trace/reference.h"
 #include "core/trace/shader_on_cpu.h"
 #include <algorithm>
@@ -34,8 +35,9 @@ HeightField randomField(std::mt19937& random, int width, int height, Wrap wrap)
 struct Node {
     float cap, steep;
 };
-Node nodeOf(const BakedMap& map, int x, int y, int n)
+Node nodeOf(const BakedMap& map, int cellX, int cellY, int n)
 {
+    const int x = cellX / 2, y = cellY / 2;
     const Image& image = map.levels.front();
     std::uint16_t code;
     std::memcpy(&code, image.data.data() + (std::size_t(y * image.width + x) * 4 + std::size_t(n)) * 2, 2);
@@ -78,7 +80,7 @@ TEST(CellCones, WithinAnEighthOfTheSteepestRise)
     heights[16 * 32 + 16] = 1.f;
     const HeightField field(32, 32, heights, Wrap::Repeat, 32);
     const BakedMap map = bakeCellCones(field, {}, {});
-    const float distance = 5.f / 32.f; // from the right wall of cell 10 to the peak
+    const float distance = 4.f / 32.f; // from the right wall of cells 10 and 11 to the peak
     const Node node = nodeOf(map, 10, 16, 0);
     EXPECT_FLOAT_EQ(node.cap, 0.f);
     EXPECT_GE(node.steep, 1.f / distance * 0.999f);
@@ -108,5 +110,31 @@ TEST(CellCones, SlowAxesDoNotStandStill)
         const auto hits = *traceRays(key, {}, &field, rays);
         for (std::size_t i = 0; i < rays.size(); ++i)
             ASSERT_LT(hits[i].fetches, 8000) << key << ' ' << i;
+    }
+}
+
+TEST(CellCones, LevelsOfAnySizeMakeOneTexture)
+{
+    std::mt19937 random(9);
+    const int sizes[][2] = {{13, 21}, {1, 9}, {64, 3}, {6, 7}, {2, 2}, {1, 1}};
+    for (const auto& [width, height] : sizes) {
+        const HeightField field = randomField(random, width, height, Wrap::Repeat);
+        const auto texture = searchTexture("cell-cone", field, {}, true);
+        ASSERT_TRUE(texture);
+        const std::vector<HeightField> fields = heightLevels(field);
+        EXPECT_EQ(int(fields.size()), levelCount(field));
+        ASSERT_EQ((*texture)->levels.size(), fields.size());
+        const Image& finest = (*texture)->levels.front();
+        for (std::size_t l = 0; l < fields.size(); ++l) {
+            const Image& level = (*texture)->levels[l];
+            EXPECT_EQ(level.width, std::max(finest.width >> l, 1)) << width << 'x' << height << ' ' << l;
+            EXPECT_EQ(level.height, std::max(finest.height >> l, 1)) << width << 'x' << height << ' ' << l;
+            const BakedMap map = bakeCellCones(fields[l], {}, {});
+            const Image& baked = map.levels.front();
+            for (int y = 0; y < baked.height; ++y)
+                EXPECT_EQ(std::memcmp(level.data.data() + std::size_t(y) * std::size_t(level.width) * 8,
+                              baked.data.data() + std::size_t(y) * std::size_t(baked.width) * 8, std::size_t(baked.width) * 8),
+                    0);
+        }
     }
 }
