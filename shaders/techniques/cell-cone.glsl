@@ -29,6 +29,8 @@ Hit trace(Ray ray)
     float lowest = 1.0f - ray.end;
     Walk walk = walkFrom(ray, slope, size, perTexel, max(1.0f - scale.w, 0.0f) / (1.0f + bendRise(0.0f)));
     int fetches = 0;
+    ivec2 held = ivec2(-1);
+    ivec4 codes = ivec4(0);
     int i = 0;
     float z = heightOf(walk);
     while (i < 65536 && z > lowest) {
@@ -39,8 +41,11 @@ Hit trace(Ray ray)
         while (i < 65536 && z > lowest) {
             vec2 inside = clamped() ? clamp(walk.cell, vec2(0.0f), size - 1.0f) : walk.cell;
             ivec2 key = ivec2(inside);
-            ivec4 codes = ivec4(cellCodes(key >> 1));
-            ++fetches;
+            if ((key >> 1) != held) { // else the ray is still over the texel's cells
+                held = key >> 1;
+                codes = ivec4(cellCodes(held));
+                ++fetches;
+            }
             float rise = 1.0f + bendRise(1.0f - z); // of the heights against the ray
             vec4 above = (z - scale.x + bendFrom(1.0f - z).x) - vec4(codes >> 8) * capUnit;
             vec4 steep = vec4(codes & 255);
