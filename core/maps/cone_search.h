@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <vector>
 
 namespace relievo {
 
@@ -72,10 +73,11 @@ public:
         , m_du(1.f / float(m_width))
         , m_dv(1.f / float(m_height))
         , m_highest(quadrant.items.at(quadrant.items.top(), 0, 0))
+        , m_limits(std::size_t(m_width))
     {
     }
 
-    // Texel (x, y) of the mirrored field. Consecutive calls for neighbours are fast: the last limiting item is tried first.
+    // Texel (x, y) of the mirrored field. Rows in their order are fast: what limited the texels before and above is tried first.
     void search(int x, int y, ConeBounds& bounds)
     {
         m_x = x;
@@ -83,7 +85,11 @@ public:
         m_apex = m_quadrant.field.texels()[std::size_t(y) * std::size_t(m_width) + std::size_t(x)];
         if (m_highest <= m_apex)
             return;
-        tryLast(bounds);
+        Item& above = m_limits[std::size_t(x)];
+        tryFirst(above, bounds);
+        if (x > 0)
+            tryFirst(m_limits[std::size_t(x - 1)], bounds);
+        m_limit = {};
         const bool repeats = m_quadrant.field.wrap() == Wrap::Repeat;
         for (int ring = 0; ring == 0 || (repeats && ringDistance(ring) < bounds.safe * (m_highest - m_apex)); ++ring)
             for (int k = 0; k <= ring; ++k) {
@@ -91,11 +97,16 @@ public:
                 if (k != ring)
                     visitTile(k, ring, bounds);
             }
+        if (m_limit.x >= 0)
+            above = m_limit;
     }
 
 private:
     struct Node {
         int level, i, j;
+    };
+    struct Item { // an item's near corner, in texels of the field and its repetitions; none below 0
+        int x = -1, y = -1;
     };
 
     float ringDistance(int ring) const
@@ -120,11 +131,11 @@ private:
                                         : std::int64_t(e.y1) * m_width < std::int64_t(e.x0) * m_height;
     }
 
-    void tryLast(ConeBounds& bounds)
+    void tryFirst(const Item& item, ConeBounds& bounds)
     {
-        const int x = m_lastX - m_x, y = m_lastY - m_y;
-        if (m_hasLast && x >= 0 && y >= 0 && !outsideWedge({x, x, y, y}))
-            leaf(m_lastX % m_width, m_lastY % m_height, x, y, bounds);
+        const int x = item.x - m_x, y = item.y - m_y;
+        if (x >= 0 && y >= 0 && !outsideWedge({x, x, y, y}))
+            leaf(item.x % m_width, item.y % m_height, x, y, bounds);
     }
 
     void leaf(int i, int j, int x, int y, ConeBounds& bounds)
@@ -132,9 +143,7 @@ private:
         const float ratio = m_leaf.ratio(i, j, x, y, m_apex);
         if (ratio < bounds.reached) {
             bounds.reached = ratio;
-            m_hasLast = true;
-            m_lastX = m_x + x;
-            m_lastY = m_y + y;
+            m_limit = {m_x + x, m_y + y};
         }
         bounds.safe = std::min(bounds.safe, ratio);
     }
@@ -191,8 +200,9 @@ private:
     Wedge m_wedge;
     int m_width, m_height;
     float m_du, m_dv, m_highest;
-    int m_x = 0, m_y = 0, m_lastX = 0, m_lastY = 0;
-    bool m_hasLast = false;
+    std::vector<Item> m_limits; // of the texels before in this row and of the others in the row above
+    Item m_limit;
+    int m_x = 0, m_y = 0;
     float m_apex = 0.f;
 };
 
@@ -204,9 +214,11 @@ void searchQuadrant(
 {
     const int width = quadrant.field.width(), height = quadrant.field.height();
     std::atomic<int> done = 0;
-    tbb::parallel_for(tbb::blocked_range<int>(0, height, 4), [&](const tbb::blocked_range<int>& rows) {
-        for (int y = rows.begin(); y < rows.end(); ++y) {
-            ConeSearch<Leaf> search(quadrant, wedge, leaf); // anew for each row: the same map however the rows are shared out
+    constexpr int kRows = 16;
+    const int blocks = (height + kRows - 1) / kRows;
+    tbb::parallel_for(0, blocks, [&](int block) {
+        ConeSearch<Leaf> search(quadrant, wedge, leaf); // anew for each block: the same map however the blocks are shared out
+        for (int y = block * kRows; y < std::min((block + 1) * kRows, height); ++y) {
             for (int x = 0; x < width; ++x) {
                 if (x % 32 == 0 && progress.cancelled())
                     return;
@@ -218,8 +230,7 @@ void searchQuadrant(
                 view.reached[texel * view.reachedStride] = bounds.reached;
             }
         }
-        done += rows.end() - rows.begin();
-        progress.at(from + (to - from) * float(done) / float(height));
+        progress.at(from + (to - from) * float(++done) / float(blocks));
     });
 }
 
