@@ -78,8 +78,10 @@ std::vector<Named> fieldsAt(int size, const std::vector<std::string>& files)
     return fields;
 }
 
+using Seconds = std::map<int, double>; // CPU seconds by size
+
 // Exponent e of seconds ~ (N^2 log N)^e by least squares in logarithms: at most 1 is no faster than N^2 log N.
-double exponent(const std::map<int, double>& seconds)
+double exponent(const Seconds& seconds)
 {
     double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
     for (const auto& [size, time] : seconds) {
@@ -93,35 +95,38 @@ double exponent(const std::map<int, double>& seconds)
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
-using Growth = std::map<std::string, std::map<int, double>>; // map and field to CPU seconds by size
+using Growth = std::map<std::string, std::map<std::string, Seconds>>; // by map and field
 
+// Seconds over size, both logarithmic; a colour for each map, a line for each field.
 std::string plot(const Growth& growth)
 {
     constexpr double kLeft = 70., kTop = 20., kWidth = 480., kHeight = 400., kLow = -4., kHigh = 3.; // decades of seconds
     const auto x = [&](double size) { return kLeft + kWidth * std::log2(size / 256.) / 4.; };
     const auto y = [&](double seconds) { return kTop + kHeight * (kHigh - std::clamp(std::log10(seconds), kLow, kHigh)) / (kHigh - kLow); };
     std::ostringstream svg;
-    svg << "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='470' font-family='sans-serif' font-size='11'>\n"
-           "<rect width='900' height='470' fill='white'/>\n";
+    svg << "<svg xmlns='http://www.w3.org/2000/svg' width='760' height='470' font-family='sans-serif' font-size='12'>\n"
+           "<rect width='760' height='470' fill='white'/>\n";
     for (const int size : {256, 512, 1024, 2048, 4096})
         svg << "<text x='" << x(size) << "' y='438' text-anchor='middle'>" << size << "</text>\n";
     for (int decade = int(kLow); decade <= int(kHigh); ++decade)
-        svg << "<text x='62' y='" << y(std::pow(10., decade)) + 4. << "' text-anchor='end'>1e" << decade
-            << "</text><line x1='70' x2='550' y1='" << y(std::pow(10., decade)) << "' y2='" << y(std::pow(10., decade))
+        svg << "<text x='62' y='" << y(std::pow(10., decade)) + 4. << "' text-anchor='end'>" << std::pow(10., decade)
+            << "</text>\n<line x1='70' x2='550' y1='" << y(std::pow(10., decade)) << "' y2='" << y(std::pow(10., decade))
             << "' stroke='#ddd'/>\n";
-    svg << "<text x='310' y='458' text-anchor='middle'>texels a side; vertical: CPU seconds; dashed: N^2 log N</text>\n<polyline "
-           "fill='none' "
-           "stroke='black' stroke-dasharray='4' points='";
+    svg << "<text x='310' y='458' text-anchor='middle'>texels a side; vertical: CPU seconds; dashed: N² log N</text>\n<polyline "
+           "fill='none' stroke='black' stroke-dasharray='5 4' points='";
     for (const int size : {256, 512, 1024, 2048, 4096})
         svg << x(size) << ',' << y(double(size) * size * std::log2(size) * 5e-7) << ' ';
     svg << "'/>\n";
-    int line = 0;
-    for (const auto& [name, seconds] : growth) {
-        const std::string color = "hsl(" + std::to_string(line * 137 % 360) + ",65%,42%)";
-        svg << "<polyline fill='none' stroke='" << color << "' points='";
-        for (const auto& [size, time] : seconds)
-            svg << x(size) << ',' << y(time) << ' ';
-        svg << "'/><text x='565' y='" << 30 + 12 * line++ << "' fill='" << color << "'>" << name << "</text>\n";
+    int index = 0;
+    for (const auto& [map, fields] : growth) {
+        const std::string color = "hsl(" + std::to_string(index * 360 / int(growth.size())) + ",70%,42%)";
+        svg << "<text x='565' y='" << 30 + 16 * index++ << "' fill='" << color << "'>" << map << "</text>\n";
+        for (const auto& [field, seconds] : fields) {
+            svg << "<polyline fill='none' stroke='" << color << "' points='";
+            for (const auto& [size, time] : seconds)
+                svg << x(size) << ',' << y(time) << ' ';
+            svg << "'><title>" << map << ", " << field << "</title></polyline>\n";
+        }
     }
     svg << "</svg>\n";
     return svg.str();
@@ -179,13 +184,15 @@ int main(int argc, char** argv)
             std::fflush(stdout);
         }
         for (const char* name : {"bricks", "rough hills", "noise", "low domes"}) {
-            auto& seconds = growth[key + ", " + name];
+            Seconds& seconds = growth[key][name];
             for (const int size : options.sizes) {
                 const auto hard
                     = std::ranges::find_if(test::kHardFields, [&](const test::HardField& f) { return f.name == std::string(name); });
                 const HeightField field
                     = hard == test::kHardFields.end() ? sample(*findSample(name), size) : test::hardField(*hard, size, size);
                 seconds[size] = bakeTime(row, field).cpu;
+                std::printf("%-18s %-20s %5d %10.3f CPU s\n", key.c_str(), name, size, seconds[size]);
+                std::fflush(stdout);
             }
             if (seconds.size() > 1)
                 std::printf("%-18s %-20s CPU seconds grow as (N^2 log N)^%.2f\n", key.c_str(), name, exponent(seconds));
