@@ -5,8 +5,8 @@
 #include "core/analysis/hard_cases.h"
 #include "core/image/samples.h"
 #include "core/state/presets.h"
+#include "core/text.h"
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -114,13 +114,6 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
 bool isBuiltInSource(std::string_view source)
 {
     return source.starts_with("sample:") || source.starts_with("scene:") || source.starts_with("hard:");
-}
-
-std::string lowerSuffix(const fs::path& file)
-{
-    std::string suffix = file.extension().string();
-    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return suffix;
 }
 
 bool isMeshFile(const fs::path& file)

@@ -66,8 +66,6 @@ Expected<void> makeBound(Resources& resources, const TechniqueRow& technique, co
 // Whether the bound maps of all panes are there.
 bool boundsFit(const State& state, const Resources& resources);
 
-// ".png" of "A.PNG".
-std::string lowerSuffix(const std::filesystem::path& file);
 // Whether `file` is a mesh by its suffix (gltf glb obj ply stl off), for drag and drop and `info`.
 bool isMeshFile(const std::filesystem::path& file);
 bool isProjectFile(const std::filesystem::path& file);

@@ -54,7 +54,7 @@ private:
     std::unique_ptr<Impl> m;
 };
 
-// An off-screen colour and depth target that can be copied, scaled, to another framebuffer.
+// An off-screen colour and depth target.
 class Framebuffer {
 public:
     Framebuffer() = default;
@@ -65,8 +65,6 @@ public:
     unsigned handle() const { return m_framebuffer; }
     int width() const { return m_width; }
     int height() const { return m_height; }
-    // Copies with linear filtering to the rectangle (0, 0, width, height) of `framebuffer`.
-    void blitTo(unsigned framebuffer, int width, int height) const;
 
 private:
     unsigned m_framebuffer = 0, m_color = 0, m_depth = 0;

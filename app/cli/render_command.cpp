@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "core/image/image_file.h"
 #include "core/state/views.h"
+#include "core/text.h"
 #include "render/legend.h"
 #include "render/mesh_errors.h"
 #include "render/windowless.h"

@@ -6,6 +6,7 @@
 #include "core/analysis/report.h"
 #include "core/file.h"
 #include "core/image/image_file.h"
+#include "core/text.h"
 #include "render/frame_time.h"
 #include "render/mesh_errors.h"
 #include "render/picture_errors.h"

@@ -23,7 +23,7 @@ bool isSwitch(const ParameterRow& row)
     return std::holds_alternative<bool Parameters::*>(row.member);
 }
 
-std::string lowered(std::string_view label)
+std::string withSmallInitial(std::string_view label)
 {
     std::string text(label);
     if (!text.empty())
@@ -89,7 +89,7 @@ std::vector<SearchSetting> settingsOf(const TechniqueRow& technique, const Param
             Parameters turned = parameters;
             const bool on = !std::get<bool>(get(parameters, row));
             set(turned, row, on);
-            settings.push_back(labelled(technique, turned, (on ? ", " : ", no ") + lowered(row.label)));
+            settings.push_back(labelled(technique, turned, (on ? ", " : ", no ") + withSmallInitial(row.label)));
         }
     return settings;
 }

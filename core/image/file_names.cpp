@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/file_names.h"
+#include "core/text.h"
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -25,16 +26,10 @@ bool isSeparator(char c)
 {
     return std::string_view("_-. ()[]{}+,").find(c) != std::string_view::npos;
 }
-std::string lower(std::string_view text)
-{
-    std::string result(text);
-    std::ranges::transform(result, result.begin(), [](char c) { return isUpper(c) ? char(c - 'A' + 'a') : c; });
-    return result;
-}
 std::string normalised(std::string text)
 {
     std::ranges::replace_if(text, isSeparator, '_');
-    return lower(text);
+    return lowered(text);
 }
 
 // Calls visit(word, index) for each word of a list separated by spaces.
@@ -140,7 +135,7 @@ bool wordEndsBetween(std::string_view name, std::size_t at)
 
 void splitToken(std::string_view name, std::size_t begin, std::size_t end, std::vector<Word>& words)
 {
-    const std::string whole = lower(name.substr(begin, end - begin));
+    const std::string whole = lowered(name.substr(begin, end - begin));
     if (isTag(whole)) {
         words.push_back({begin, end, whole, true, true});
         return;
@@ -149,7 +144,7 @@ void splitToken(std::string_view name, std::size_t begin, std::size_t end, std::
         std::size_t to = from + 1;
         while (to < end && !wordEndsBetween(name, to))
             ++to;
-        words.push_back({from, to, lower(name.substr(from, to - from)), from == begin, false});
+        words.push_back({from, to, lowered(name.substr(from, to - from)), from == begin, false});
         from = to;
     }
 }
@@ -397,7 +392,7 @@ std::vector<NameGuess> otherReadings(std::string_view name)
 
 bool endsInDepth(std::string_view name)
 {
-    return lower(name).ends_with("depth");
+    return lowered(name).ends_with("depth");
 }
 
 } // namespace relievo

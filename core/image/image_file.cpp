@@ -6,6 +6,7 @@
 #include "core/image/imageio_protocol.h"
 #include "core/image/process_client.h"
 #include "core/mesh/pictures.h"
+#include "core/text.h"
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -218,13 +219,6 @@ PacketWriter pathPacket(const fs::path& file)
     return packet;
 }
 
-std::string lowerSuffix(const fs::path& file)
-{
-    std::string suffix = file.extension().string();
-    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return char(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-    return suffix.empty() ? suffix : suffix.substr(1);
-}
-
 Expected<std::vector<std::byte>> encode(const WriteRequest& request, Payload pixels, const std::string& where)
 {
     PacketWriter packet;
@@ -311,7 +305,7 @@ Expected<ImageRead> readImageBytes(std::span<const std::byte> bytes, const std::
 
 Expected<void> writeImage(const fs::path& file, const Image& image, bool srgb)
 {
-    const Expected<std::vector<std::byte>> bytes = encode(image, srgb, lowerSuffix(file), file.string());
+    const Expected<std::vector<std::byte>> bytes = encode(image, srgb, lowerSuffix(file).erase(0, 1), file.string());
     if (!bytes)
         return tl::unexpected(bytes.error());
     return writeAtomically(file, *bytes);

@@ -4,9 +4,9 @@
 #include "core/imageio/channel.h"
 #include "core/imageio/read.h"
 #include "core/imageio/write.h"
+#include "core/text.h"
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <malloc.h>
 #include <new>
@@ -56,13 +56,6 @@ int takeStdout()
     return out;
 }
 
-std::string lowerSuffix(const std::string& file)
-{
-    std::string suffix = std::filesystem::path(file).extension().string();
-    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return suffix.empty() ? suffix : suffix.substr(1);
-}
-
 WriteRequest writeRequest(PacketReader& packet)
 {
     WriteRequest request;
@@ -81,7 +74,7 @@ void answer(Channel& channel, Message message, std::span<const std::byte> bytes)
     const std::string file = packet.text();
     if (message == Message::ReadBytes)
         return answerReadBytes(channel, packet.number());
-    answerRead(channel, file, lowerSuffix(file), message == Message::Info);
+    answerRead(channel, file, relievo::lowerSuffix(file).erase(0, 1), message == Message::Info);
 }
 
 // A refusal in the middle of a reply is fine: the editor drops what came before.

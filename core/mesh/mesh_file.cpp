@@ -4,6 +4,7 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/raw_mesh.h"
 #include "core/mesh/shapes.h"
+#include "core/text.h"
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -23,12 +24,6 @@ constexpr ReaderRow kReaders[] = {
     {".off", readOff},
 };
 
-std::string lowered(std::string text)
-{
-    for (char& c : text)
-        c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return text;
-}
 } // namespace
 
 Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress)
@@ -36,7 +31,7 @@ Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress)
     if (std::optional<Mesh> shape = makeShape(nameOrFile))
         return std::move(*shape);
     const std::filesystem::path file(nameOrFile);
-    const std::string suffix = lowered(file.extension().string());
+    const std::string suffix = lowerSuffix(file);
     for (const ReaderRow& row : kReaders) {
         if (row.suffix != suffix)
             continue;

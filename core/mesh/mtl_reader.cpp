@@ -6,6 +6,7 @@
 #include "core/mesh/pictures.h"
 #include "core/mesh/raw_mesh.h"
 #include "core/mesh/text_cursor.h"
+#include "core/text.h"
 #include <algorithm>
 #include <cmath>
 
@@ -58,13 +59,6 @@ constexpr OptionRow kOptions[] = {
     {"-imfchan", 1, 1, kNever},
     {"-type", 1, 1, kNever},
 };
-
-std::string lowered(std::string_view text)
-{
-    std::string low(text);
-    std::ranges::transform(low, low.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return low;
-}
 
 struct TextureLine {
     std::string file;

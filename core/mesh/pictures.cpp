@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "core/mesh/gltf_document.h"
 #include "core/mesh/text_cursor.h"
+#include "core/text.h"
 #include <algorithm>
 
 namespace relievo {
@@ -15,12 +16,6 @@ bool isFile(const fs::path& file)
 {
     std::error_code code;
     return fs::is_regular_file(file, code);
-}
-
-std::string lowered(std::string text)
-{
-    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return text;
 }
 
 std::optional<fs::path> inAnyCase(const fs::path& folder, const std::string& name)
@@ -45,7 +40,7 @@ std::optional<Embedded> embeddedOf(const fs::path& name)
         return std::nullopt;
     const std::optional<long long> picture = integerOf(std::string_view(text).substr(mark + 1));
     const fs::path file = text.substr(0, mark);
-    const std::string suffix = lowered(file.extension().string());
+    const std::string suffix = lowerSuffix(file);
     if (!picture || *picture < 0 || (suffix != ".glb" && suffix != ".gltf"))
         return std::nullopt;
     return Embedded{file, int(*picture)};

@@ -1,7 +1,9 @@
 // The exact reference beside Embree 3 on the same field as triangles: rays a second on one core, time to build, memory.
-// Usage: reference_bench [FIELD]...
+// Usage: reference_bench [FIELD or SET]...; without any: all fields by formula. Of a SET the height map is taken, in its own size.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/material.h"
+#include "core/source.h"
 #include "core/trace/exact_search.h"
 #include "core/trace/reference.h"
 #include <algorithm>
@@ -37,7 +39,7 @@ float brick(int x, int y)
 }
 
 struct NamedField {
-    const char* name;
+    std::string name;
     HeightField field;
 };
 
@@ -65,6 +67,16 @@ std::vector<NamedField> fields()
          })},
         {"flat", fieldOf([](int, int) { return 0.5f; })},
     };
+}
+
+std::optional<NamedField> heightsOf(const std::string& file)
+{
+    const auto opened = openSource(file, State());
+    const auto material = opened ? loadMaterial(opened->state.slots, opened->images) : tl::unexpected(opened.error());
+    if (material && material->height && material->height->width() > 1 && material->height->height() > 1)
+        return NamedField{std::filesystem::path(file).filename().string().substr(0, 15), *material->height};
+    std::fprintf(stderr, "%s: %s\n", file.c_str(), material ? "no height map of 2 x 2 or more" : message(material.error()).c_str());
+    return {};
 }
 
 // Of processor time: others may be at work on the machine.
@@ -95,20 +107,21 @@ public:
             this);
         m_scene = rtcNewScene(m_device);
         const RTCGeometry geometry = rtcNewGeometry(m_device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        const int n = kSize, cells = n - 1;
+        const int width = field.width(), height = field.height();
+        const std::size_t cells = std::size_t(width - 1) * std::size_t(height - 1);
         auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), std::size_t(n) * std::size_t(n)));
-        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), 2 * std::size_t(cells) * std::size_t(cells)));
-        for (int y = 0; y < n; ++y)
-            for (int x = 0; x < n; ++x) {
-                *vertex++ = (float(x) + 0.5f) / float(n);
-                *vertex++ = (float(y) + 0.5f) / float(n);
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), std::size_t(width) * std::size_t(height)));
+        auto* index = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), 2 * cells));
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                *vertex++ = (float(x) + 0.5f) / float(width);
+                *vertex++ = (float(y) + 0.5f) / float(height);
                 *vertex++ = field.texel(x, y);
             }
-        for (int y = 0; y < cells; ++y)
-            for (int x = 0; x < cells; ++x) {
-                const unsigned a = unsigned(y * n + x), b = a + 1, c = a + unsigned(n), d = c + 1;
+        for (int y = 0; y + 1 < height; ++y)
+            for (int x = 0; x + 1 < width; ++x) {
+                const unsigned a = unsigned(y * width + x), b = a + 1, c = a + unsigned(width), d = c + 1;
                 for (const unsigned i : {a, b, c, b, d, c})
                     *index++ = i;
             }
@@ -128,11 +141,14 @@ public:
 
     double hit(const SearchRay& ray)
     {
+        constexpr double kAbove = 0.01; // of t, that the ray begins above the top: a hit right at its start would be missed
+        const glm::dvec2 from = ray.uv - kAbove * ray.duv;
         RTCRayHit query{};
-        query.ray = {float(ray.uv.x), float(ray.uv.y), 1.f, 0.f, float(ray.duv.x), float(ray.duv.y), -1.f, 0.f, 1.0001f, ~0u, 0, 0};
+        query.ray
+            = {float(from.x), float(from.y), 1.f + float(kAbove), 0.f, float(ray.duv.x), float(ray.duv.y), -1.f, 0.f, 1.0101f, ~0u, 0, 0};
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(m_scene, &m_context, &query);
-        return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? 2. : double(query.ray.tfar);
+        return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? 2. : double(query.ray.tfar) - kAbove;
     }
     long bytes() const { return m_bytes; }
 
@@ -144,26 +160,28 @@ private:
 };
 
 // Uniform start and azimuth, uniform angle within the band; those whose hit lies on the triangles, so that both do the same work.
-std::vector<SearchRay> rays(const ExactSearch& search, double fromDegrees, double toDegrees)
+std::vector<SearchRay> rays(const HeightField& field, const ExactSearch& search, double fromDegrees, double toDegrees)
 {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> unit(0., 1.);
     std::vector<SearchRay> list;
-    const auto inside = [](double x) { return x > 0.5 / kSize && x < 1. - 0.5 / kSize; };
+    const auto inside = [&](glm::dvec2 uv) {
+        const glm::dvec2 border(0.5 / field.width(), 0.5 / field.height());
+        return uv.x > border.x && uv.y > border.y && uv.x < 1. - border.x && uv.y < 1. - border.y;
+    };
     while (list.size() < kRays) {
         const double angle = 6.283185307 * unit(random), theta = (fromDegrees + (toDegrees - fromDegrees) * unit(random)) * 0.01745329252;
         const double travel = kDepth * std::tan(theta);
         const SearchRay ray{{unit(random), unit(random)}, {travel * std::cos(angle), travel * std::sin(angle)}, std::cos(theta)};
-        const glm::dvec2 end = search.hit(ray).uv;
-        if (inside(ray.uv.x) && inside(ray.uv.y) && inside(end.x) && inside(end.y))
+        if (inside(ray.uv) && inside(search.hit(ray).uv))
             list.push_back(ray);
     }
     return list;
 }
 
-void compare(const char* name, const HeightField& field, const ExactSearch& search, Triangles& triangles, const double (&band)[2])
+void compare(const std::string& name, const HeightField& field, const ExactSearch& search, Triangles& triangles, const double (&band)[2])
 {
-    const auto list = rays(search, band[0], band[1]);
+    const auto list = rays(field, search, band[0], band[1]);
     std::vector<double> walk, ours, embree, ratio, visits;
     double sum = 0., other = 0.;
     for (int round = 0; round < kRounds; ++round) {
@@ -184,8 +202,8 @@ void compare(const char* name, const HeightField& field, const ExactSearch& sear
     double fetches = 0.;
     for (const SearchRay& ray : list)
         fetches += search.hit(ray).fetches;
-    std::printf("%-9s %2.0f-%2.0f  %8.3f  %8.3f  %8.3f  %6.2f  %6.1f  %.6f %.6f\n", name, band[0], band[1], walk.front(), median(ours),
-        median(embree), median(ratio), fetches / kRays, sum / kRays / (kRounds + 1), other / kRays / kRounds);
+    std::printf("%-15s %2.0f-%2.0f  %8.3f  %8.3f  %8.3f  %6.2f  %6.1f  %.6f %.6f\n", name.c_str(), band[0], band[1], walk.front(),
+        median(ours), median(embree), median(ratio), fetches / kRays, sum / kRays / (kRounds + 1), other / kRays / kRounds);
 }
 
 } // namespace
@@ -194,20 +212,33 @@ int main(int argc, char** argv)
 {
     const std::vector<std::string> wanted(argv + 1, argv + argc);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
+    std::vector<NamedField> measured = fields();
+    if (!wanted.empty()) {
+        const std::vector<NamedField> known = std::move(measured);
+        measured.clear();
+        for (const std::string& name : wanted) {
+            const auto field = std::ranges::find(known, name, &NamedField::name);
+            if (field != known.end())
+                measured.push_back(*field);
+            else if (const auto read = heightsOf(name))
+                measured.push_back(*read);
+            else
+                return 1;
+        }
+    }
     std::printf(
-        "%d x %d texels, depth %g of the tile, one core, million rays a second of processor time (medians of %d rounds, interleaved)\n",
-        kSize, kSize, kDepth, kRounds);
-    std::printf("field     degrees   walk    pyramid    Embree   ratio  visits  mean t of both\n");
-    for (const NamedField& named : fields()) {
-        if (!wanted.empty() && std::ranges::find(wanted, named.name) == wanted.end())
-            continue;
+        "depth %g of the tile, one core, million rays a second of processor time (medians of %d rounds, interleaved)\n", kDepth, kRounds);
+    std::printf("field           degrees   walk    pyramid    Embree   ratio  visits  mean t of both\n");
+    for (const NamedField& named : measured) {
         std::optional<ExactSearch> search;
         std::optional<Triangles> triangles;
         const double ours = secondsOf([&] { search.emplace(named.field); });
         const double embree = secondsOf([&] { triangles.emplace(named.field); });
         for (const auto& band : kBands)
             compare(named.name, named.field, *search, *triangles, band);
-        std::printf("%-9s built in %.4f s, Embree in %.3f s; memory beside the heights %.2f MB, Embree %.1f MB\n", named.name, ours, embree,
-            double(search->bytes()) / 1e6, double(triangles->bytes()) / 1e6);
+        std::printf("%-15s %d x %d texels, built in %.4f s, Embree in %.3f s; memory beside the heights %.2f MB, Embree %.1f MB\n",
+            named.name.c_str(), named.field.width(), named.field.height(), ours, embree, double(search->bytes()) / 1e6,
+            double(triangles->bytes()) / 1e6);
     }
 }

@@ -1,9 +1,10 @@
-// Relief on meshes: poses on the GPU, shadows between objects, interpenetration, frames without tangents, pixels that are no numbers.
+// Relief on meshes: poses on the GPU, shadows between objects, interpenetration, parts, fine meshes.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/image_file.h"
 #include "core/mesh/pose.h"
 #include "render/mesh_errors.h"
+#include "tests/render/mesh_support.h"
 #include <cmath>
 #include <cstdlib>
 #include <epoxy/gl.h>
@@ -13,52 +14,10 @@
 #include <gtest/gtest.h>
 
 using namespace relievo;
+using namespace relievo::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path kMeshes = fs::path(RELIEVO_TEST_DATA) / "meshes";
-
-State stateOn(const std::string& mesh, const char* technique = "cell-cone")
-{
-    State state = openSource("sample:cobblestones@256", State())->state;
-    state.mesh = mesh;
-    state.panes = {Pane{technique, {}}};
-    return state;
-}
-
-Resources resourcesOf(const State& state)
-{
-    const auto resources = loadResources(state, {}, {});
-    EXPECT_TRUE(resources) << (resources ? "" : message(resources.error()));
-    return resources.value_or(Resources());
-}
-
-Image picture(Renderer& renderer, const State& state, const Resources& resources, std::string_view view, int width = 160, int height = 120)
-{
-    State plain = state;
-    plain.parameters.background = 2;
-    const auto image = drawPicture(renderer, plain, 0, resources, view, width, height, 1, true);
-    EXPECT_TRUE(image) << (image ? "" : message(image.error()));
-    return image.value_or(Image());
-}
-
-// Share of the pixels, of those that either picture covers, whose coverage differs or whose values differ by more than `tolerance`.
-double differing(const Image& a, const Image& b, float tolerance)
-{
-    double pixels = 0., differ = 0.;
-    for (int y = 0; y < a.height; ++y)
-        for (int x = 0; x < a.width; ++x) {
-            const bool inA = a.value(x, y, 3) > 0.5f, inB = b.value(x, y, 3) > 0.5f;
-            pixels += inA || inB;
-            float off = 0.f;
-            for (int c = 0; c < 3; ++c)
-                off = std::max(off, std::abs(a.value(x, y, c) - b.value(x, y, c)));
-            differ += inA != inB || (inA && !(off <= tolerance));
-        }
-    EXPECT_GT(pixels, 500.);
-    return differ / std::max(pixels, 1.);
-}
 
 // The mesh as the CPU poses it, which no longer moves.
 Resources posedResources(const State& state, const Resources& resources)
@@ -357,79 +316,4 @@ TEST(FineMeshes, HastyPicturesAreAlmostTheSame)
     }
     EXPECT_GT(covered, 500);
     EXPECT_LT(off, covered / 25);
-}
-
-TEST(Frames, DerivativesAgreeWithVerticesAndTheThesisDoesNot)
-{
-    const auto context = WindowlessContext::create();
-    ASSERT_TRUE(context);
-    Renderer renderer;
-    State state = stateOn("plane");
-    state.parameters.depth = 0.2f;
-    state.camera.yaw = 55.f, state.camera.pitch = 30.f;
-    const Resources resources = resourcesOf(state);
-    const Image vertex = picture(renderer, state, resources, "color");
-    state.parameters.frames = 1;
-    const Image derivatives = picture(renderer, state, resources, "color");
-    state.parameters.frames = 2;
-    const Image thesis = picture(renderer, state, resources, "color");
-    const double off = differing(derivatives, vertex, 0.05f), slid = differing(thesis, vertex, 0.05f);
-    EXPECT_LT(off, 0.02);
-    EXPECT_GT(slid, 10. * off + 0.1);
-}
-
-TEST(Frames, EdgeFadeFlattensWhatIsSeenEdgeOn)
-{
-    const auto context = WindowlessContext::create();
-    ASSERT_TRUE(context);
-    Renderer renderer;
-    State state = stateOn("sphere");
-    state.parameters.frames = 1, state.parameters.depth = 0.15f;
-    const Resources resources = resourcesOf(state);
-    // The largest shift of what is seen, towards the outline and in the middle of the sphere.
-    const auto shifts = [&](bool outline) {
-        State flat = state;
-        flat.panes = {Pane{"flat", {}}};
-        const Image polygon = picture(renderer, flat, resources, "position"), relief = picture(renderer, state, resources, "position");
-        const CameraView camera = cameraView(state.camera, resources.mesh->boundsMin, resources.mesh->boundsMax, 4.f / 3.f);
-        double largest = 0.;
-        for (int y = 0; y < relief.height; ++y)
-            for (int x = 0; x < relief.width; ++x) {
-                const glm::vec3 at(polygon.value(x, y, 0), polygon.value(x, y, 1), polygon.value(x, y, 2));
-                const glm::vec3 point(relief.value(x, y, 0), relief.value(x, y, 1), relief.value(x, y, 2));
-                const float cosine = glm::dot(glm::normalize(at), glm::normalize(camera.eye - at));
-                if (relief.value(x, y, 3) > 0.5f && (cosine < 0.12f) == outline && cosine > 0.02f)
-                    largest = std::max(largest, double(glm::distance(at, point)) * double(cosine));
-            }
-        return largest;
-    };
-    const double middle = shifts(false), outline = shifts(true);
-    EXPECT_GT(outline, 0.2 * middle);
-    state.parameters.edgeFade = 0.5f;
-    EXPECT_GT(shifts(false), 0.8 * middle);
-    EXPECT_LT(shifts(true), 0.4 * outline);
-}
-
-TEST(Invalid, NoPixelIsNoNumber)
-{
-    const auto context = WindowlessContext::create();
-    ASSERT_TRUE(context);
-    Renderer renderer;
-    std::vector<std::string> meshes = {"sphere", "box", "spheres", "teapot", "character"};
-    for (const char* file :
-        {"spot.obj", "bunny.ply", "NormalTangentMirrorTest.glb", "TextureCoordinateTest.glb", "obj_quirks/deg_faces.obj"})
-        if (fs::exists(kMeshes / file))
-            meshes.push_back((kMeshes / file).string());
-    for (const std::string& mesh : meshes)
-        for (const int frames : {0, 1, 2}) {
-            State state = stateOn(mesh);
-            Parameters& p = state.parameters;
-            p.frames = frames, p.silhouettes = frames == 0 ? 3 : 2, p.depthOfHit = p.objectShadows = p.shadows = true,
-            p.edgeFade = frames == 1 ? 0.3f : 0.f;
-            const Resources resources = resourcesOf(state);
-            const Image invalid = picture(renderer, state, resources, "invalid", 96, 72);
-            for (int y = 0; y < invalid.height; ++y)
-                for (int x = 0; x < invalid.width; ++x)
-                    ASSERT_EQ(invalid.value(x, y, 0), 0.f) << mesh << " frames " << frames;
-        }
 }
