@@ -116,12 +116,15 @@ Expected<std::vector<SearchHit>> traceRaysOnGpu(
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
         program->bind("heightMap", GL_TEXTURE_2D, *heights, 0);
+        program->set("heightUnits", field->storedBits() <= 16 ? 65535.f : 0.f);
     }
     SearchUpload bound;
     if (maps->bound) {
         glActiveTexture(GL_TEXTURE15);
         bound = uploadSearchTexture(*maps->bound, wrap);
         bindSearchTexture(*program, bound, 3);
+        const PixelType type = maps->bound->levels.front().type;
+        program->set("boundUnits", type == PixelType::U8 ? 255.f : type == PixelType::U16 ? 65535.f : 0.f);
     }
     std::vector<SearchHit> hits(rays.size());
     for (std::size_t first = 0; first < rays.size(); first += std::size_t(kRow) * kRows) {

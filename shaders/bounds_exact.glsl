@@ -9,7 +9,11 @@ vec4 boundAt(vec2 uv)
     vec2 f = p - floor(p);
     ivec2 low = wrappedTexel(ivec2(floor(p)), size);
     ivec2 high = wrappedTexel(ivec2(floor(p)) + 1, size);
-    vec4 top = texelFetch(boundMap, low, 0) * (1.0f - f.x) + texelFetch(boundMap, ivec2(high.x, low.y), 0) * f.x;
-    vec4 bottom = texelFetch(boundMap, ivec2(low.x, high.y), 0) * (1.0f - f.x) + texelFetch(boundMap, high, 0) * f.x;
+    vec4 a = storedExactly(texelFetch(boundMap, low, 0), boundUnits);
+    vec4 b = storedExactly(texelFetch(boundMap, ivec2(high.x, low.y), 0), boundUnits);
+    vec4 c = storedExactly(texelFetch(boundMap, ivec2(low.x, high.y), 0), boundUnits);
+    vec4 d = storedExactly(texelFetch(boundMap, high, 0), boundUnits);
+    vec4 top = a * (1.0f - f.x) + b * f.x;
+    vec4 bottom = c * (1.0f - f.x) + d * f.x;
     return top * (1.0f - f.y) + bottom * f.y;
 }

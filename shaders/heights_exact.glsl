@@ -6,7 +6,7 @@ float heightAt(vec2 uv)
     vec2 p = uv * vec2(textureSize(heightMap, 0)) - 0.5f;
     vec2 cell = floor(p);
     vec2 f = p - cell;
-    vec4 h = cornersAt(cell);
+    vec4 h = storedExactly(cornersAt(cell), heightUnits);
     float top = h.x * (1.0f - f.x) + h.y * f.x;
     float bottom = h.z * (1.0f - f.x) + h.w * f.x;
     return top * (1.0f - f.y) + bottom * f.y;

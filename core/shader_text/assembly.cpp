@@ -178,6 +178,8 @@ std::string uniformDeclarations(const std::string& text)
     declare("sampler2DShadow", "shadowMap");
     declare("samplerBuffer", "poseMap"); // see place_posed.glsl
     declare("samplerBuffer", "morphMap");
+    declare("float", "heightUnits"); // see stored_exact.glsl
+    declare("float", "boundUnits");
     declare("sampler2D", "rayMap");
     declare("sampler2D", "cosineMap");
     return declarations;

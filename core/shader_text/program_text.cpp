@@ -225,7 +225,7 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
     if (!row || row->file.empty())
         return failure(std::string(technique), "this technique does not run on the GPU", "Use --device cpu");
     Assembly fragment(read, dialect);
-    fragment.file("contract.glsl");
+    fragment.file("contract.glsl").file("stored_exact.glsl");
     if (listHas(row->maps, "height"))
         fragment.file("level_base.glsl")
             .file("edges_either.glsl")

@@ -4,6 +4,7 @@
 #include "core/image/height_repair.h"
 #include "core/image/material.h"
 #include "tests/core/image_support.h"
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -59,7 +60,8 @@ TEST(Material, GreyIsRedAndColourIsTheMean)
     const TemporaryFolder folder;
     const Image color = noiseImage(kSize, kSize, 3, PixelType::U8);
     const auto mean = loadOne(folder, "c.png", color, MapKind::Height);
-    EXPECT_NEAR(mean->height->texel(5, 6), (color.value(5, 6, 0) + color.value(5, 6, 1) + color.value(5, 6, 2)) / 3, 1e-6);
+    const float sum = color.value(5, 6, 0) + color.value(5, 6, 1) + color.value(5, 6, 2);
+    EXPECT_EQ(mean->height->texel(5, 6), std::round(sum / 3 * 65535) / 65535); // as the GPU's 16 bits hold it
     const auto green = loadOne(folder, "c.png", color, MapKind::Height, {"", Channel::G, false});
     EXPECT_EQ(green->height->texel(5, 6), color.value(5, 6, 1));
     const Image one = noiseImage(kSize, kSize, 1, PixelType::U8);
@@ -266,4 +268,17 @@ TEST(Material, RepairUsesNeighboursOfTheSameChannel)
     std::vector<float> values = {1, 10, std::numeric_limits<float>::quiet_NaN(), 20, 3, 30};
     EXPECT_EQ(repairNonFinite(values, 3, 1, 2), 1u);
     EXPECT_EQ(values[2], 2.f);
+}
+
+// The GPU reads 16-bit whole numbers; the CPU's heights must be those to the last bit, or searches of many steps drift apart.
+TEST(Material, FlippedHeightsAreStoredValues)
+{
+    Image image{256, 1, 1, PixelType::U8, 8, false, {}};
+    for (int v = 0; v < 256; ++v)
+        image.data.push_back(std::byte(v));
+    const std::vector<float> flipped = soundScalars(image, Channel::R, true), plain = soundScalars(image, Channel::R, false);
+    for (int v = 0; v < 256; ++v) {
+        EXPECT_EQ(flipped[std::size_t(v)], float(255 - v) / 255.f);
+        EXPECT_EQ(plain[std::size_t(v)], float(v) / 255.f);
+    }
 }

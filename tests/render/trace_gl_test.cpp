@@ -1,49 +1,43 @@
 // The same search text on the GPU and on the CPU.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/material.h"
+#include "core/source.h"
 #include "core/state/techniques.h"
-#include "core/trace/shader_on_cpu.h"
-#include "render/windowless.h"
-#include <cmath>
+#include "tests/render/agreement.h"
+#include <algorithm>
+#include <filesystem>
 #include <gtest/gtest.h>
-#include <random>
 
 using namespace relievo;
 
 namespace {
 
-std::vector<SearchRay> raysOf(int count, unsigned seed)
-{
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> unit(-1.f, 1.f);
-    std::vector<SearchRay> rays;
-    for (int i = 0; i < count; ++i)
-        rays.push_back({{unit(random), unit(random)}, {0.6f * unit(random), 0.6f * unit(random)}, std::abs(unit(random)) + 1e-3f});
-    return rays;
-}
-
-void expectAgreement(const HeightField& field, const char* name)
+void expectAgreement(const HeightField& field, const std::string& name)
 {
     const auto context = WindowlessContext::create();
     ASSERT_TRUE(context) << message(context.error());
-    const auto rays = raysOf(10000, 21);
-    for (const TechniqueRow& row : kTechniques) {
-        if (row.file.empty())
-            continue;
-        const auto cpu = traceRays(row.key, Parameters(), &field, rays);
-        ASSERT_TRUE(cpu) << row.key;
+    const auto rays = test::raysOf(10000, 21);
+    for (const TechniqueRow& row : kTechniques)
         for (const Dialect dialect : {Dialect::Desktop, Dialect::Es}) {
-            const auto gpu = traceRaysOnGpu(row.key, Parameters(), &field, rays, dialect);
-            ASSERT_TRUE(gpu) << row.key << ' ' << int(dialect) << ' ' << message(gpu.error());
-            int apart = 0, otherFetches = 0;
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                apart += !(std::abs((*cpu)[i].t - (*gpu)[i].t) < 1e-4) || (*cpu)[i].found != (*gpu)[i].found;
-                otherFetches += (*cpu)[i].fetches != (*gpu)[i].fetches;
-            }
-            EXPECT_LE(apart, 10) << name << ' ' << row.key << ' ' << int(dialect); // 99.9 % agree
-            EXPECT_LE(otherFetches, 100) << name << ' ' << row.key << ' ' << int(dialect);
+            if (row.file.empty())
+                continue;
+            const auto found = test::agreement(row.key, field, rays, dialect);
+            ASSERT_TRUE(found) << row.key << ' ' << int(dialect) << ' ' << message(found.error());
+            EXPECT_LE(found->apart, 10) << name << ' ' << row.key << ' ' << int(dialect); // 99.9 % agree
+            EXPECT_LE(found->otherFetches, 100) << name << ' ' << row.key << ' ' << int(dialect);
         }
-    }
+}
+
+// The middle of the field, at most 128 x 128 texels, so that its maps are soon baked.
+HeightField middleOf(const HeightField& field)
+{
+    const int width = std::min(field.width(), 128), height = std::min(field.height(), 128);
+    std::vector<float> heights;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            heights.push_back(field.texel((field.width() - width) / 2 + x, (field.height() - height) / 2 + y));
+    return {width, height, std::move(heights), field.wrap(), field.storedBits()};
 }
 
 } // namespace
@@ -64,6 +58,23 @@ TEST(TraceGl, AgreesWithTheCpu)
     expectAgreement(HeightField(64, 64, smooth, Wrap::Repeat, 32), "smooth");
     expectAgreement(HeightField(64, 64, stored16, Wrap::Repeat, 16), "16 bit");
     expectAgreement(HeightField(1, 37, std::vector<float>(37, 127.f / 255.f), Wrap::Repeat, 8), "1 x N");
+}
+
+TEST(TraceGl, AgreesWithTheCpuOnRealSets)
+{
+    const std::filesystem::path materials = std::filesystem::path(RELIEVO_TEST_DATA) / "materials";
+    std::error_code none;
+    int measured = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(materials, none)) {
+        const auto opened = openSource(entry.path().string(), State());
+        const auto material = opened ? loadMaterial(opened->state.slots, opened->images) : tl::unexpected(opened.error());
+        if (!material || !material->height)
+            continue; // of a kind that is not read, or without heights
+        expectAgreement(middleOf(*material->height), opened->state.name);
+        ++measured;
+    }
+    if (measured == 0)
+        GTEST_SKIP() << "no texture sets at " << materials;
 }
 
 TEST(TraceGl, RaysThatAreNotFiniteAreAnsweredAlike)
