@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -19,6 +20,12 @@ inline int wrapIndex(int i, int size, Wrap wrap)
         return i < 0 ? 0 : (i >= size ? size - 1 : i);
     i %= size;
     return i < 0 ? i + size : i;
+}
+
+// A height as textures hold it: those of at most 16 bits as 65535ths, which 8-bit values are too, others as they are.
+inline float asStored(float height, int storedBits)
+{
+    return storedBits <= 16 ? std::round(height * 65535.f) / 65535.f : height;
 }
 
 // Immutable and cheap to copy; safe to read from any thread.

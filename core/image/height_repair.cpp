@@ -120,8 +120,6 @@ std::vector<float> soundScalars(const Image& image, Channel channel, bool invert
         for (std::size_t i = from; i < to; ++i) {
             const float value = std::clamp(rescale ? float((double(values[i]) - low) / span) : values[i], 0.f, 1.f);
             values[i] = invert ? 1.f - value : value;
-            if (image.type != PixelType::F32)
-                values[i] = std::round(values[i] * 65535.f) / 65535.f; // as a texture holds it: 1 - v is no stored value to the last bit
         }
     });
     return values;

@@ -28,7 +28,7 @@ struct ScalarTrouble {
 ScalarTrouble scalarTrouble(const Image& image, Channel channel);
 Warnings warningsOf(const ScalarTrouble& trouble, const std::string& file);
 
-// Repaired, mapped from min..max when a float map leaves [0, 1], and flipped when `invert`. Of whole numbers: as 16 bits store them.
+// Repaired, mapped from min..max when a float map leaves [0, 1], and flipped when `invert`.
 std::vector<float> soundScalars(const Image& image, Channel channel, bool invert);
 
 } // namespace relievo

@@ -156,7 +156,12 @@ HeightField heightOf(const Image& image, const MapSlot& slot, const std::string&
     const Channel channel = scalarChannel(image, slot.channel);
     for (Warning& warning : warningsOf(scalarTrouble(image, channel), file))
         warnings.push_back(std::move(warning));
-    return HeightField(image.width, image.height, soundScalars(image, channel, slot.invert), Wrap::Repeat, precisionOf(image));
+    const int bits = precisionOf(image);
+    std::vector<float> heights = soundScalars(image, channel, slot.invert);
+    if (slot.invert || channel == Channel::Rgb) // 1 - v and a mean are no stored values to the last bit, and the GPU has only those
+        for (float& height : heights)
+            height = asStored(height, bits);
+    return HeightField(image.width, image.height, std::move(heights), Wrap::Repeat, bits);
 }
 
 Expected<std::shared_ptr<const Image>> mapOf(

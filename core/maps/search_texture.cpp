@@ -12,11 +12,6 @@ namespace relievo {
 
 namespace {
 
-float asStored(float h, int bits)
-{
-    return bits <= 16 ? std::round(h * 65535.f) / 65535.f : h;
-}
-
 // Share of source texel i (of `from`) in texel k of `to` along one axis: areas of a halving that rounds down overlap unevenly.
 struct Span {
     int first, last;

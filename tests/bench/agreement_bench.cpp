@@ -2,9 +2,8 @@
 // Usage: agreement_bench SET...
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/image/material.h"
-#include "core/source.h"
 #include "core/state/techniques.h"
+#include "tests/core/source_support.h"
 #include "tests/render/agreement.h"
 #include <algorithm>
 #include <cstdio>
@@ -19,16 +18,18 @@ int main(int count, char** arguments)
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     const auto rays = test::raysOf(10000, 21);
     for (int i = 1; i < count; ++i) {
-        const auto opened = openSource(arguments[i], State());
-        const auto material = opened ? loadMaterial(opened->state.slots, opened->images) : tl::unexpected(opened.error());
-        if (!material || !material->height)
-            return std::fprintf(stderr, "%s: %s\n", arguments[i], material ? "no height map" : message(material.error()).c_str()), 1;
+        const auto heights = test::heightsOf(arguments[i]);
+        if (!heights)
+            return std::fprintf(stderr, "%s\n", message(heights.error()).c_str()), 1;
         test::Agreement worst;
-        for (const TechniqueRow& row : kTechniques)
+        for (const TechniqueRow& row : kTechniques) {
+            if (row.file.empty())
+                continue;
+            const auto cpu = traceRays(row.key, Parameters(), &*heights, rays);
+            if (!cpu)
+                return std::fprintf(stderr, "%s\n", message(cpu.error()).c_str()), 1;
             for (const Dialect dialect : {Dialect::Desktop, Dialect::Es}) {
-                if (row.file.empty())
-                    continue;
-                const auto found = test::agreement(row.key, *material->height, rays, dialect);
+                const auto found = test::agreement(*cpu, row.key, *heights, rays, dialect);
                 if (!found)
                     return std::fprintf(stderr, "%s\n", message(found.error()).c_str()), 1;
                 if (found->apart + found->otherFetches > 0)
@@ -37,7 +38,8 @@ int main(int count, char** arguments)
                 worst.apart = std::max(worst.apart, found->apart);
                 worst.otherFetches = std::max(worst.otherFetches, found->otherFetches);
             }
-        std::printf("%s, %d x %d: at worst t apart %.2f %%, other fetch counts %.2f %%\n", opened->state.name.c_str(),
-            material->height->width(), material->height->height(), 1e-2 * worst.apart, 1e-2 * worst.otherFetches);
+        }
+        std::printf("%s, %d x %d: at worst t apart %.2f %%, other fetch counts %.2f %%\n", arguments[i], heights->width(),
+            heights->height(), 1e-2 * worst.apart, 1e-2 * worst.otherFetches);
     }
 }

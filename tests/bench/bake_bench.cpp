@@ -4,12 +4,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file.h"
-#include "core/image/material.h"
 #include "core/image/samples.h"
 #include "core/maps/maps.h"
 #include "core/maps/normal.h"
-#include "core/source.h"
 #include "tests/core/maps_support.h"
+#include "tests/core/source_support.h"
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -68,12 +67,10 @@ std::vector<Named> fieldsAt(int size, const std::vector<std::string>& files)
     for (const test::HardField& hard : test::kHardFields)
         fields.push_back({hard.name, test::hardField(hard, size, size)});
     for (const std::string& file : files) {
-        const auto opened = openSource(file, State());
-        const auto material = opened ? loadMaterial(opened->state.slots, opened->images) : tl::unexpected(opened.error());
-        if (material && material->height)
-            fields.push_back({file, *material->height});
+        if (const auto heights = test::heightsOf(file))
+            fields.push_back({file, *heights});
         else
-            std::fprintf(stderr, "%s: no height map\n", file.c_str());
+            std::fprintf(stderr, "%s\n", message(heights.error()).c_str());
     }
     return fields;
 }

@@ -2,10 +2,9 @@
 // Usage: reference_bench [FIELD or SET]...; without any: all fields by formula. Of a SET the height map is taken, in its own size.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/image/material.h"
-#include "core/source.h"
 #include "core/trace/exact_search.h"
 #include "core/trace/reference.h"
+#include "tests/core/source_support.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -67,16 +66,6 @@ std::vector<NamedField> fields()
          })},
         {"flat", fieldOf([](int, int) { return 0.5f; })},
     };
-}
-
-std::optional<NamedField> heightsOf(const std::string& file)
-{
-    const auto opened = openSource(file, State());
-    const auto material = opened ? loadMaterial(opened->state.slots, opened->images) : tl::unexpected(opened.error());
-    if (material && material->height && material->height->width() > 1 && material->height->height() > 1)
-        return NamedField{std::filesystem::path(file).filename().string().substr(0, 15), *material->height};
-    std::fprintf(stderr, "%s: %s\n", file.c_str(), material ? "no height map of 2 x 2 or more" : message(material.error()).c_str());
-    return {};
 }
 
 // Of processor time: others may be at work on the machine.
@@ -221,10 +210,10 @@ int main(int argc, char** argv)
             const auto field = std::ranges::find(known, name, &NamedField::name);
             if (field != known.end())
                 measured.push_back(*field);
-            else if (const auto read = heightsOf(name))
-                measured.push_back(*read);
+            else if (const auto heights = test::heightsOf(name); heights && heights->width() > 1 && heights->height() > 1)
+                measured.push_back({std::filesystem::path(name).filename().string().substr(0, 15), *heights});
             else
-                return 1;
+                return std::fprintf(stderr, "%s\n", heights ? "2 x 2 texels are needed" : message(heights.error()).c_str()), 1;
         }
     }
     std::printf(

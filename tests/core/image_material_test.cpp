@@ -276,9 +276,12 @@ TEST(Material, FlippedHeightsAreStoredValues)
     Image image{256, 1, 1, PixelType::U8, 8, false, {}};
     for (int v = 0; v < 256; ++v)
         image.data.push_back(std::byte(v));
-    const std::vector<float> flipped = soundScalars(image, Channel::R, true), plain = soundScalars(image, Channel::R, false);
+    const TemporaryFolder folder;
+    const auto flipped = loadOne(folder, "f.png", image, MapKind::Height, {"", Channel::R, true});
+    const auto plain = loadOne(folder, "p.png", image, MapKind::Height);
+    ASSERT_TRUE(flipped && plain);
     for (int v = 0; v < 256; ++v) {
-        EXPECT_EQ(flipped[std::size_t(v)], float(255 - v) / 255.f);
-        EXPECT_EQ(plain[std::size_t(v)], float(v) / 255.f);
+        EXPECT_EQ(flipped->height->texel(v, 0), float(255 - v) / 255.f);
+        EXPECT_EQ(plain->height->texel(v, 0), float(v) / 255.f);
     }
 }

@@ -25,18 +25,16 @@ inline std::vector<SearchRay> raysOf(int count, unsigned seed)
     return rays;
 }
 
-// Needs a current context. Errors: those of traceRays and traceRaysOnGpu.
-inline Expected<Agreement> agreement(std::string_view technique, const HeightField& field, std::span<const SearchRay> rays, Dialect dialect)
+// cpu: what traceRays answers. Needs a current context. Errors: those of traceRaysOnGpu.
+inline Expected<Agreement> agreement(
+    std::span<const SearchHit> cpu, std::string_view technique, const HeightField& field, std::span<const SearchRay> rays, Dialect dialect)
 {
-    const auto cpu = traceRays(technique, Parameters(), &field, rays);
-    if (!cpu)
-        return tl::unexpected(cpu.error());
     const auto gpu = traceRaysOnGpu(technique, Parameters(), &field, rays, dialect);
     if (!gpu)
         return tl::unexpected(gpu.error());
     Agreement result;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const SearchHit &a = (*cpu)[i], &b = (*gpu)[i];
+        const SearchHit &a = cpu[i], &b = (*gpu)[i];
         result.apart += !(std::abs(a.t - b.t) < 1e-4) || a.found != b.found;
         result.otherFetches += a.fetches != b.fetches;
     }
