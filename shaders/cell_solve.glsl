@@ -3,8 +3,9 @@
 // SPDX-License-Identifier: MIT
 
 // Smallest s in [0, reach] at which the ray is no longer above the patch, or 2. p: where the ray is in the cell, in texels from corner
-// h.x; slope: texels per unit of depth; z: its height. Along the ray the patch is a quadratic, solved without cancellation.
-float cellRoot(vec4 h, vec2 p, vec2 slope, float z, float reach)
+// h.x; slope: texels per unit of depth; z: its height. Along the ray the patch is a quadratic, solved without cancellation. The ray may have
+// gone by `past` too far, which is not little when it is nearly vertical: then s is negative.
+float cellRoot(vec4 h, vec2 p, vec2 slope, float z, float reach, float past)
 {
     float kx = h.y - h.x;
     float ky = h.z - h.x;
@@ -12,7 +13,7 @@ float cellRoot(vec4 h, vec2 p, vec2 slope, float z, float reach)
     vec3 bend = bendFrom(1.0f - z);
     float c = z - (h.x + kx * p.x + ky * p.y + kxy * p.x * p.y) + bend.x;
     if (c <= 0.0f)
-        return 0.0f;
+        return max(c, -past);
     float b = -1.0f - kx * slope.x - ky * slope.y - kxy * (p.x * slope.y + p.y * slope.x) + bend.y;
     float a = bend.z - kxy * slope.x * slope.y;
     float discriminant = b * b - 4.0f * a * c;

@@ -5,7 +5,7 @@
 bool lightIsHidden(Surface surface, vec3 toLight)
 {
     float depth = gl_FrontFacing ? surface.depth : -surface.depth;
-    float slack = shadowSlack();
+    float room = shadowRoom(surface.hit.uv);
     Entry entry = Entry(seenTriangle, vec3(0.0f));
     float begin = 0.0f; // m along the way, where the light goes into the prism
     float below = surface.hit.t; // its depth there
@@ -18,11 +18,7 @@ bool lightIsHidden(Surface surface, vec3 toLight)
             float fall = (below - exit.below) / kUnfinished;
             Ray ray = Ray(uvThere, (uv - uvThere) / kUnfinished, cosineTo(corners, toLight), kUnfinished);
             curve = vec3(-exit.below, 1.0f - fall, 0.0f);
-            float clears = max(slackCleared(ray, fall), 1e-12f);
-            float without = min(slack / clears, ray.end);
-            slack -= without * clears;
-            ray.end -= without;
-            if (ray.end > 0.0f && trace(ray).found)
+            if (!endsBeforePoint(ray, room, fall, i == 0) || (ray.end > 0.0f && trace(ray).found))
                 return true;
         }
         entry = beyond(entry.triangle, exit);

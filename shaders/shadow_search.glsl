@@ -1,5 +1,5 @@
 // Self-shadow: the same search, sent from the light down to the depth of the point seen and no further (Policarpo, Oliveira, Comba 2005,
-// section 3, figure 10). shadowSlack() is what an occluder must be off the point by.
+// section 3, figure 10).
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 bool lightIsHidden(Surface surface, vec3 toLight)
@@ -7,6 +7,6 @@ bool lightIsHidden(Surface surface, vec3 toLight)
     if (dot(surface.frame.normal, toLight) <= 0.0f)
         return true; // it comes from behind the surface
     Ray ray = lightRay(surface, toLight);
-    ray.end -= shadowSlack() / slackCleared(ray, 1.0f);
-    return ray.end > 0.0f && trace(ray).found;
+    float room = shadowRoom(surface.hit.uv);
+    return !endsBeforePoint(ray, room, 1.0f, true) || (ray.end > 0.0f && trace(ray).found);
 }

@@ -16,7 +16,7 @@ namespace relievo {
 
 namespace {
 
-// A bound within this share of the steepest rise found is taken as it is and not opened: the result is at most 1/kKeep too steep.
+// A branch is taken at its bound, not opened, when the steepest bound of a cell found is at least this share of it.
 constexpr float kKeep = 0.88f;
 constexpr float kMargin = 1.f + 2e-6f; // covers the float arithmetic of one ratio
 
@@ -69,7 +69,7 @@ class RiseSearch {
 public:
     explicit RiseSearch(const Grid& grid) : m_grid(grid) { }
 
-    // safe: at least the true rise, and at most 1/kKeep of it.
+    // At least the true rise, and at most 1/kKeep of the steepest bound of a cell.
     float rise(const Rect& node, float cap)
     {
         m_node = node;

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace relievo {
@@ -27,5 +28,8 @@ struct MaxLevels {
 // Room for a grid of width x height (both >= 1) and its pyramid; level 0 is to be filled, then finishMaxLevels computes the rest.
 MaxLevels makeMaxLevels(int width, int height);
 void finishMaxLevels(MaxLevels& pyramid);
+
+// One level from the one before it, row by row: the maxima of 2 x 2 of width x height nodes, (width + 1) / 2 x (height + 1) / 2 of them.
+void halveByMaxima(std::span<const float> nodes, int width, int height, std::span<float> halved);
 
 } // namespace relievo

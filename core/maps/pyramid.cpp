@@ -11,22 +11,25 @@ namespace relievo {
 
 BakedMap bakePyramid(const HeightField& field, const Parameters&, const Progress& progress)
 {
-    MaxLevels pyramid = makeMaxLevels(field.width(), field.height());
-    tbb::parallel_for(0, field.height(), [&](int j) {
+    const int width = field.width(), height = field.height();
+    BakedMap map = oneLevel(floatImage(width, height, 1));
+    const std::span<float> cells = floats(map.levels.front());
+    tbb::parallel_for(0, height, [&](int j) {
         if (progress.cancelled())
             return;
-        float* row = pyramid.values.data() + std::size_t(j) * std::size_t(field.width());
-        for (int i = 0; i < field.width(); ++i) {
-            const HeightField::Corners c = field.corners(i, j);
-            row[i] = std::max(std::max(c.h00, c.h10), std::max(c.h01, c.h11));
-        }
+        const float* row0 = field.texels().data() + std::size_t(j) * std::size_t(width);
+        const float* row1 = field.texels().data() + std::size_t(wrapIndex(j + 1, height, field.wrap())) * std::size_t(width);
+        float* out = cells.data() + std::size_t(j) * std::size_t(width);
+        const auto highest = [&](int i, int next) { return std::max(std::max(row0[i], row0[next]), std::max(row1[i], row1[next])); };
+        for (int i = 0; i < width - 1; ++i)
+            out[i] = highest(i, i + 1);
+        out[width - 1] = highest(width - 1, wrapIndex(width, width, field.wrap()));
     });
-    finishMaxLevels(pyramid);
-    BakedMap map;
-    for (const MaxLevels::Level& level : pyramid.levels) {
-        Image image = floatImage(level.width, level.height, 1);
-        std::copy_n(pyramid.values.begin() + std::ptrdiff_t(level.offset), image.texelCount(), floats(image).begin());
-        map.levels.push_back(std::move(image));
+    while (map.levels.back().width > 1 || map.levels.back().height > 1) {
+        const Image& fine = map.levels.back();
+        Image coarse = floatImage((fine.width + 1) / 2, (fine.height + 1) / 2, 1);
+        halveByMaxima(floats(fine), fine.width, fine.height, floats(coarse));
+        map.levels.push_back(std::move(coarse));
     }
     progress.at(1.f);
     return map;

@@ -114,7 +114,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         else
             part.file(normalsFile(features.maps));
         if (technique->searches && features.shadows)
-            part.file(technique->isExact ? "shadow_slack_exact.glsl" : "shadow_slack_bias.glsl")
+            part.file(technique->isExact ? "shadow_end_exact.glsl" : "shadow_end_bias.glsl")
                 .file(features.prisms ? "shadow_prisms.glsl" : "shadow_search.glsl")
                 .file(features.softShadows ? "shadow_soft.glsl" : "shadow_hard.glsl");
         else

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace relievo {
 
@@ -10,8 +11,8 @@ namespace relievo {
 struct SearchRay {
     glm::dvec2 uv{0.}, duv{0.};
     double cosView = 1.; // |N.V|, in (0, 1]
-    glm::dvec2 bend{
-        0.}; // over a curved surface the depth at t is t - bend.x t - bend.y t^2 (shaders/bend_quadric.glsl); the reference takes 0 only
+    // Over a curved surface the depth at t is t - bend.x - bend.y t - bend.z t^2 (shaders/bend_quadric.glsl); the reference takes 0 only.
+    glm::dvec3 bend{0.};
 };
 
 struct SearchHit {

@@ -146,17 +146,17 @@ struct CountedHit {
     glsl::Hit hit;
     int bytes;
 };
-using Search = CountedHit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glsl::vec2);
+using Search = CountedHit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glsl::vec3);
 struct SearchRow {
     std::string_view file;
     Search search;
 };
 
-template <class Technique> CountedHit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray, glsl::vec2 bend)
+template <class Technique> CountedHit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray, glsl::vec3 bend)
 {
     Technique technique;
     static_cast<Parameters&>(technique) = parameters;
-    technique.curve = {0.f, bend};
+    technique.curve = bend;
     technique.boundMap = maps.bound.get();
     if (maps.bound) {
         const Image& image = maps.bound->levels.front();
@@ -188,7 +188,7 @@ SearchHit searched(Search search, const Parameters& parameters, const SearchMaps
     if (!finite(ray))
         return {};
     const auto [hit, bytes]
-        = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec2(ray.bend));
+        = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec3(ray.bend));
     return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches, bytes};
 }
 

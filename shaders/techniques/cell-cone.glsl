@@ -27,7 +27,7 @@ Hit trace(Ray ray)
     vec4 acrossY = vec4(2.0f, 8.0f, 32.0f, 128.0f) * ahead.y;
     vec2 border = size * ahead;
     float lowest = 1.0f - ray.end;
-    Walk walk = walkFrom(ray, slope, size, perTexel, max(1.0f - scale.w, 0.0f) / (1.0f + bendRise(0.0f)));
+    Walk walk = walkFrom(ray, slope, size, perTexel, max(1.0f - scale.w + bendFrom(0.0f).x, 0.0f) / (1.0f + bendRise(0.0f)));
     int fetches = 0;
     ivec2 held = ivec2(-1);
     ivec4 codes = ivec4(0);
@@ -58,8 +58,8 @@ Hit trace(Ray ray)
             vec4 leaveX = (wallX - from.x) * inverse.x;
             vec4 leaveY = (wallY - from.y) * inverse.y;
             if (clamped()) { // a node at a border goes on beyond it
-                leaveX += vec4(equal(min(wallX + inside.x, vec4(size.x)), vec4(border.x))) * 1e30f;
-                leaveY += vec4(equal(min(wallY + inside.y, vec4(size.y)), vec4(border.y))) * 1e30f;
+                leaveX = mix(leaveX, vec4(1e30f), vec4(equal(min(wallX + inside.x, vec4(size.x)), vec4(border.x))));
+                leaveY = mix(leaveY, vec4(1e30f), vec4(equal(min(wallY + inside.y, vec4(size.y)), vec4(border.y))));
                 toBorder = vec2(1e30f);
             }
             vec4 leap = max(min(min(leaveX, leaveY), min(above / rise, min(toBorder.x, toBorder.y))), cone);
@@ -73,12 +73,12 @@ Hit trace(Ray ray)
             z = heightOf(walk);
         }
         float after = z - best;
-        if (after <= lowest)
+        if (after <= lowest || i >= 65536)
             break;
         ++fetches;
-        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, after, min(leave - best, after - lowest));
+        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, after, min(leave - best, after - lowest), past);
         if (s <= 1.0f) {
-            float t = min(1.0f - walk.z + (walk.below + best + s), 1.0f);
+            float t = clamp(1.0f - walk.z + (walk.below + best + s), 0.0f, 1.0f);
             return Hit(ray.uv + ray.duv * t, t, true, fetches);
         }
         walk = moved(walk, slope, size, perTexel, leave * (1.0f + 2e-7f) + past);

@@ -58,9 +58,9 @@ Hit trace(Ray ray)
                 continue;
             }
         } else {
-            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, z, min(leave, z - lowest));
+            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, z, min(leave, z - lowest), past);
             if (s <= 1.0f) {
-                float t = min(1.0f - walk.z + (walk.below + s), 1.0f);
+                float t = clamp(1.0f - walk.z + (walk.below + s), 0.0f, 1.0f);
                 return Hit(ray.uv + ray.duv * t, t, true, fetches);
             }
         }

@@ -15,7 +15,7 @@ namespace {
 // Depth of the ray less depth of the surface: the ray is inside where it is not negative.
 double inside(const HeightField& field, const SearchRay& ray, double t)
 {
-    return t - (ray.bend.x + ray.bend.y * t) * t - (1. - heightAt(field, ray.uv + ray.duv * t));
+    return t - (ray.bend.x + (ray.bend.y + ray.bend.z * t) * t) - (1. - heightAt(field, ray.uv + ray.duv * t));
 }
 
 double firstInside(const HeightField& field, const SearchRay& ray)
@@ -46,16 +46,21 @@ HeightField noise(std::mt19937& random, bool smooth)
     return {size, size, heights, random() % 4 ? Wrap::Repeat : Wrap::Clamp, 32};
 }
 
-// As sight_curved.glsl bends a ray of sight over a surface whose fall is k t^2: convex rays that leave, rays that come to the floor,
-// hollows.
+// As sight_curved.glsl bends rays: of sight over a surface whose fall is k t^2 (convex rays that leave, rays that come to the floor,
+// hollows), and of light that comes in over the rim of a hollow, begins below the top and sinks after its highest point.
 SearchRay bentRay(std::mt19937& random)
 {
     std::uniform_real_distribution<double> unit(-1., 1.);
     SearchRay ray{{unit(random), unit(random)}, {1.5 * unit(random), 1.5 * unit(random)}, 0.5};
+    if (random() % 4 == 0) {
+        const double top = 0.15 + 0.15 * unit(random), rise = (top + std::sqrt(top)) * (1. + unit(random)); // up to the polygon at most
+        ray.bend = {-top, 1. + rise, -(1. - top + rise)}; // depth top - rise t + ..., 1 at the end
+        return ray;
+    }
     const double k = std::pow(10., unit(random) * 1.5) * (random() % 3 ? 1. : -1.);
     const bool leaves = k > 0.25;
     const double whole = leaves ? 1. / k : 2. / (1. + std::sqrt(1. - 4. * k)), bend = k * whole * whole;
-    ray.bend = {leaves ? 1. - bend : -bend, bend};
+    ray.bend = {0., leaves ? 1. - bend : -bend, bend};
     return ray;
 }
 
@@ -119,7 +124,7 @@ TEST(Bend, RaysThatLeaveAreMissed)
 {
     const HeightField low(4, 4, std::vector<float>(16, 0.2f));
     SearchRay ray{{0.1, 0.2}, {0.7, 0.4}, 0.5};
-    ray.bend = {0., 1.}; // depth t - t^2, at most a quarter
+    ray.bend = {0., 0., 1.}; // depth t - t^2, at most a quarter
     for (const TechniqueRow& row : kTechniques)
         if (row.searches && !row.file.empty() && row.key != "cone" && row.key != "cone-quad") { // those stop short and call it a hit
             Parameters parameters;

@@ -64,7 +64,13 @@ TEST(CellCones, NothingRisesAboveCapOrCone)
                     const glm::vec2 low{float(x / span * span), float(y / span * span)}, high = glm::min(low + float(span), size);
                     // Also the corners and edges of the node, where a cone is tightest.
                     const auto inNode = [&](float a, float b) { return a + (b - a) * std::clamp(1.4f * unit(random) - 0.2f, 0.f, 1.f); };
-                    const glm::vec2 p = (glm::vec2(inNode(low.x, high.x), inNode(low.y, high.y)) + 0.5f) / size;
+                    glm::vec2 place{inNode(low.x, high.x), inNode(low.y, high.y)};
+                    if (wrap == Wrap::Clamp) // nodes at a border go on beyond it
+                        for (int axis = 0; axis < 2; ++axis)
+                            place[axis] += low[axis] == 0.f && i % 3 == 0 ? -3.f * unit(random)
+                                : high[axis] == size[axis] && i % 3 == 1  ? 3.f * unit(random)
+                                                                          : 0.f;
+                    const glm::vec2 p = (place + 0.5f) / size;
                     const Node node = nodeOf(map, x, y, n);
                     EXPECT_LE(field.at(p), node.cap + 2e-6f);
                     const glm::vec2 q = p + (i % 2 ? 2.f : 0.2f) * (glm::vec2(unit(random), unit(random)) - 0.5f);
@@ -85,6 +91,28 @@ TEST(CellCones, WithinAnEighthOfTheSteepestRise)
     EXPECT_FLOAT_EQ(node.cap, 0.f);
     EXPECT_GE(node.steep, 1.f / distance * 0.999f);
     EXPECT_LE(node.steep, 1.f / distance * 1.25f); // the bound of a cell, the search's share, and the code's step
+}
+
+// A wall is passed by a hundred-thousandth of a texel, which a nearly vertical ray takes a long way down for.
+TEST(CellCones, NearlyVerticalRaysAreNotLate)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(0., 1.);
+    for (int repeat = 0; repeat < 40; ++repeat) {
+        const HeightField field = randomField(random, 16, 16, Wrap::Repeat);
+        std::vector<SearchRay> rays;
+        for (int i = 0; i < 100; ++i) {
+            const double travel = std::pow(10., -4. * unit(random)); // texels over the full depth
+            const glm::dvec2 wall{double(random() % 16), 0.2 + 0.6 * unit(random)}, way{travel, travel * unit(random)};
+            rays.push_back({(wall + 0.5 - glm::dvec2(travel * unit(random), 0.)) / 16., way / 16., 1.});
+        }
+        for (const char* key : {"cell-cone", "pyramid"}) {
+            const auto hits = traceRays(key, {}, &field, rays);
+            ASSERT_TRUE(hits);
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                EXPECT_NEAR((*hits)[i].t, exactHit(field, rays[i]).t, 3e-5) << key << ' ' << 16. * rays[i].duv.x << " texels";
+        }
+    }
 }
 
 TEST(CellCones, LevelFieldsAreCrossedAtOnce)

@@ -3,6 +3,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/camera_view.h"
+#include "core/state/techniques.h"
+#include "core/trace/reference.h"
 #include "render/windowless.h"
 #include <cmath>
 #include <glm/glm.hpp>
@@ -144,6 +146,56 @@ TEST(Geometry, ClampedBorders)
     State state = plainState();
     state.parameters.wrap = 1;
     expectRight("clamped", state);
+}
+
+// So near that a texel spans fifty pixels: shadows of exact searches reach to what casts them, and no point shades itself.
+TEST(Geometry, ExactShadowsMeetWhatCastsThem)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    constexpr int kWidth = 240, kHeight = 180;
+    for (const char* source : {"hard:ridges@32", "hard:noise@32", "hard:checker@32", "sample:cobblestones@64"})
+        for (const TechniqueRow& row : kTechniques) {
+            if (!row.isExact || row.file.empty())
+                continue;
+            State state = openSource(source, State())->state;
+            Parameters& p = state.parameters;
+            p.depth = 0.1f, p.heightMips = false, p.lightPitch = 35.f, p.lightYaw = 70.f, p.shadows = true;
+            state.panes = {Pane{std::string(row.key), {}}};
+            state.camera.pitch = 60.f, state.camera.distance = 0.2f, state.camera.target = glm::vec3(0.05f, 0.f, 0.08f);
+            const auto resources = *loadResources(state, {}, {});
+            Renderer renderer;
+            const Image shadow = *drawPicture(renderer, state, 0, resources, "shadow", kWidth, kHeight, 1, true);
+            const HeightField& field = *resources.material->height;
+            const CameraView camera
+                = cameraView(state.camera, resources.mesh->boundsMin, resources.mesh->boundsMax, float(kWidth) / float(kHeight));
+            const double tangent = std::tan(double(state.camera.fov) * 3.14159265358979 / 360.), depth = double(p.depth);
+            const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye)),
+                             light(directionTo(p.lightYaw, p.lightPitch));
+            const glm::dvec2 toLight = glm::dvec2(light.x, light.z) * (depth / light.y); // for the whole depth
+            const double texel = 1. / field.width() / glm::length(toLight); // along the light, in t
+            int hidden = 0, lit = 0, wrongHidden = 0, wrongLit = 0;
+            for (int i = 0; i < kWidth * kHeight; ++i) {
+                const double px = (2. * (i % kWidth + 0.5) / kWidth - 1.) * tangent * kWidth / kHeight;
+                const double py = (1. - 2. * (i / kWidth + 0.5) / kHeight) * tangent;
+                const glm::dvec3 way = glm::normalize(forward + px * glm::dvec3(camera.right) + py * glm::dvec3(camera.up));
+                const glm::dvec3 top = glm::dvec3(camera.eye) - way * (double(camera.eye.y) / way.y);
+                const SearchHit seen = exactHit(field, {{top.x + 0.5, top.z + 0.5}, glm::dvec2(way.x, way.z) * (depth / -way.y)});
+                const SearchRay ray{seen.uv + toLight * seen.t, -toLight};
+                const auto free = [&](double raise) { return (seen.t - exactHit(field, ray, raise).t) / texel; }; // texels before the point
+                if (free(-1e-4) > 0.002) {
+                    ++hidden;
+                    wrongHidden += shadow.value(i % kWidth, i / kWidth, 0) > 0.5f;
+                } else if (free(0.) < 1e-6 && free(1e-4) < 0.05) {
+                    ++lit;
+                    wrongLit += shadow.value(i % kWidth, i / kWidth, 0) < 0.5f;
+                }
+            }
+            EXPECT_GT(hidden, 1000) << source << row.key;
+            EXPECT_GT(lit, 1000) << source << row.key;
+            EXPECT_EQ(wrongHidden, 0) << source << ' ' << row.key << " of " << hidden;
+            EXPECT_EQ(wrongLit, 0) << source << ' ' << row.key << " of " << lit;
+        }
 }
 
 // Smooth light shows no step where faces of the environment's cube meet.
