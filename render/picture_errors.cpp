@@ -10,6 +10,8 @@ namespace relievo {
 
 namespace {
 
+constexpr const char* kFillingMesh = "plane";
+
 Expected<Image> values(Renderer& renderer, const State& state, const Resources& resources, std::string_view view, int width, int height)
 {
     State plain = state;
@@ -39,10 +41,21 @@ Expected<Image> exactDepths(Renderer& renderer, const State& state, const Resour
 
 } // namespace
 
+Resources fillingResources(Resources resources)
+{
+    resources.mesh = std::make_shared<const Mesh>(*openMesh(kFillingMesh));
+    resources.meshName = kFillingMesh;
+    return resources;
+}
+
 State fillingView(const State& state, double angle)
 {
     State view = state;
-    view.mesh = "plane";
+    view.parameters = effectiveParameters(state, 0);
+    if (!view.panes.empty())
+        view.panes.front().overrides.clear();
+    view.mesh = kFillingMesh;
+    view.part.clear();
     view.view = "shaded";
     view.camera = Camera{};
     view.camera.yaw = 0.f;

@@ -8,8 +8,9 @@
 namespace relievo {
 
 // The State as a plane that fills the picture, seen from afar at `angle` degrees from its normal (at most 85): full resolution, no
-// shadows, no push-out, repeated tiles. `kTilesAcross` tiles span the picture's width where it is 4 : 3.
+// shadows, no push-out, repeated tiles, whatever the first pane overrides. `kTilesAcross` tiles span the picture's width where it is 4 : 3.
 State fillingView(const State& state, double angle);
+Resources fillingResources(Resources resources); // what that is drawn with: the same with a plane as mesh
 inline constexpr double kTilesAcross = 0.93;
 inline constexpr std::array<double, 4> kPictureAngles = {30., 60., 75., 85.};
 

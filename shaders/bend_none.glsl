@@ -4,5 +4,6 @@
 vec3 bendFrom(float t) { return vec3(0.0f); }
 float bendRise(float t) { return 0.0f; }
 float bendLeast(float from, float to) { return 0.0f; }
+float leastHeight(float z, float ahead) { return z - ahead; }
 float depthRate() { return 1.0f; }
 bool endsOnFloor(Ray ray) { return ray.end >= 1.0f; }

@@ -24,6 +24,15 @@ float bendLeast(float from, float to)
     return curve.z > 0.0f ? min(least, bendFrom(clamp(-0.5f * curve.y / curve.z, from, to)).x) : least;
 }
 
+// The least height of the ray against the heights, from where it has z without the bend to `ahead` further on.
+float leastHeight(float z, float ahead)
+{
+    float from = 1.0f - z;
+    float least = min(z + bendFrom(from).x, z - ahead + bendFrom(from + ahead).x);
+    float turn = curve.z > 0.0f ? clamp(0.5f * (1.0f - curve.y) / curve.z, from, from + ahead) : from;
+    return min(least, 1.0f - turn + bendFrom(turn).x);
+}
+
 // The fastest that the ray's depth changes, per t.
 float depthRate()
 {

@@ -4,6 +4,7 @@
 float heightAt(vec2 uv)
 {
     vec2 p = uv * vec2(textureSize(heightMap, 0)) - 0.5f;
+    p = vec2(abs(p.x) < 1e30f ? p.x : 0.0f, abs(p.y) < 1e30f ? p.y : 0.0f);
     vec2 cell = floor(p);
     vec2 f = p - cell;
     vec4 h = storedExactly(cornersAt(cell), heightUnits);

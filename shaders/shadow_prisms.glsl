@@ -9,6 +9,7 @@ bool lightIsHidden(Surface surface, vec3 toLight)
     Entry entry = Entry(seenTriangle, vec3(0.0f));
     float begin = 0.0f; // m along the way, where the light goes into the prism
     float below = surface.hit.t; // its depth there
+    bool atPoint = true;
     for (int i = 0; i < kMostPrisms; ++i) {
         Corner corners[3] = prismOf(entry.triangle, depth).corners;
         vec2 uv = i == 0 ? surface.hit.uv : uvBetween(corners, entry.weights);
@@ -18,8 +19,9 @@ bool lightIsHidden(Surface surface, vec3 toLight)
             float fall = (below - exit.below) / kUnfinished;
             Ray ray = Ray(uvThere, (uv - uvThere) / kUnfinished, cosineTo(corners, toLight), kUnfinished);
             curve = vec3(-exit.below, 1.0f - fall, 0.0f);
-            if (!endsBeforePoint(ray, room, fall, i == 0) || (ray.end > 0.0f && trace(ray).found))
+            if (!endsBeforePoint(ray, room, fall, atPoint) || (ray.end > 0.0f && trace(ray).found))
                 return true;
+            atPoint = false;
         }
         entry = beyond(entry.triangle, exit);
         if (entry.triangle < 0)

@@ -14,6 +14,7 @@ float distanceAt(vec3 at)
 {
     ivec3 size = textureSize(distanceMap, 0);
     vec2 p = vec2(at.x, at.y) * vec2(float(size.x), float(size.y)) - 0.5f;
+    p = vec2(abs(p.x) < 1e30f ? p.x : 0.0f, abs(p.y) < 1e30f ? p.y : 0.0f);
     vec2 f = p - floor(p);
     ivec2 across = ivec2(size.x, size.y);
     ivec2 low = wrappedTexel(ivec2(floor(p)), across);

@@ -43,8 +43,8 @@ Walk walkFrom(Ray ray, vec2 slope, vec2 size, vec2 perTexel, float t)
     return moved(Walk(wrappedCell(cells, size, perTexel), at - cells, 1.0f, 0.0f), slope, size, perTexel, t);
 }
 
-// One over the slope; where that is 0, a wall is never reached.
+// One over the slope; where that is next to 0, a wall is never reached.
 vec2 inverseOf(vec2 slope)
 {
-    return vec2(slope.x != 0.0f ? 1.0f / slope.x : 1e30f, slope.y != 0.0f ? 1.0f / slope.y : 1e30f);
+    return vec2(abs(slope.x) > 1e-30f ? 1.0f / slope.x : 1e30f, abs(slope.y) > 1e-30f ? 1.0f / slope.y : 1e30f);
 }

@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "core/image/image_file.h"
 #include "core/maps/maps.h"
+#include "core/text.h"
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -63,11 +64,28 @@ Image asPicture(const BakedMap& map)
     return picture;
 }
 
+// Whether the format holds what is asked for.
+Result<void> check(const BakeOptions& options, const MapRow& row)
+{
+    if (row.form == MapForm::Codes && options.bits != 16)
+        return problem({"this map is codes of 16 bits", "--bits " + std::to_string(options.bits), "Leave --bits out"}, WrongUsage);
+    const std::string suffix = lowerSuffix(options.out);
+    const bool eight = suffix == ".jpg" || suffix == ".jpeg" || suffix == ".bmp" || suffix == ".tga";
+    const int most = eight ? 8 : suffix == ".png" || suffix == ".hdr" ? 16 : 32;
+    if (options.bits > most)
+        return problem({"a " + suffix + " holds " + std::to_string(most) + " bits a channel at most, not " + std::to_string(options.bits),
+                           "-o " + options.out, eight ? "Write .png or .exr, or add --bits 8" : "Write .exr or .tif"},
+            WrongUsage);
+    return {};
+}
+
 Result<Baked> bake(const BakeOptions& options)
 {
     const MapRow* row = findMap(options.map);
     if (!row)
         return problem({"there is no such map", "--map " + options.map, "relievo describe maps lists them"}, WrongUsage);
+    if (const auto fits = check(options, *row); !fits)
+        return tl::unexpected(fits.error());
     const Progress progress = shownProgress(options.common);
     auto opened = openState(options.state, progress);
     if (!opened)

@@ -13,6 +13,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <utility>
 
 namespace relievo::cli {
 namespace fs = std::filesystem;
@@ -48,9 +49,13 @@ void StateOptions::addTo(CLI::App& command)
     command.add_option("--environment", environment, "Equirectangular picture (hdr, exr) that lights the scene, or studio")
         ->type_name("FILE");
     command.add_option("--camera", camera, "yaw=DEG,pitch=DEG,distance=M,target=X:Y:Z (M),fov=DEG, any of them")->type_name("SETTINGS");
-    command.add_option("--depth-map", depthMap, "Height map where white is deep")->type_name("FILE");
-    for (const MapKindRow& row : kMapKinds)
-        command.add_option("--" + std::string(row.key), maps[std::string(row.key)], std::string(row.label) + " map")->type_name("FILE");
+    CLI::Option* deep = command.add_option("--depth-map", depthMap, "Height map where white is deep")->type_name("FILE");
+    for (const MapKindRow& row : kMapKinds) {
+        CLI::Option* map = command.add_option("--" + std::string(row.key), maps[std::string(row.key)], std::string(row.label) + " map");
+        map->type_name("FILE");
+        if (row.kind == MapKind::Height)
+            deep->excludes(map);
+    }
 }
 
 bool StateOptions::changesState() const
@@ -165,6 +170,10 @@ Result<Scene> openScene(const StateOptions& options, const Progress& progress)
     return scene;
 }
 
+namespace {
+bool progressIsShown = false; // on a line of stderr that has not ended
+}
+
 Progress shownProgress(const Common& common)
 {
     Progress progress;
@@ -176,13 +185,14 @@ Progress shownProgress(const Common& common)
             return;
         *last = percent;
         std::fprintf(stderr, "\r%3d %%%s", percent, percent == 100 ? "\n" : "");
+        progressIsShown = percent != 100;
     };
     return progress;
 }
 
 int tell(const Problem& problem)
 {
-    std::fprintf(stderr, "relievo: error: %s\n", message(problem.error).c_str());
+    std::fprintf(stderr, "%srelievo: error: %s\n", std::exchange(progressIsShown, false) ? "\n" : "", message(problem.error).c_str());
     return problem.exitCode;
 }
 
@@ -190,7 +200,7 @@ void tell(const Warnings& warnings, const Common& common)
 {
     if (!common.quiet)
         for (const Warning& warning : warnings)
-            std::fprintf(stderr, "relievo: warning: %s\n", warning.text.c_str());
+            std::fprintf(stderr, "%srelievo: warning: %s\n", std::exchange(progressIsShown, false) ? "\n" : "", warning.text.c_str());
 }
 
 void print(const nlohmann::ordered_json& result)

@@ -90,6 +90,7 @@ Result<Sheet> measure(const CompareOptions& options)
         return tl::unexpected(subject.error());
     State& state = subject->state;
     state.parameters = effectiveParameters(state, 0);
+    state.panes = {Pane{state.panes.front().technique, {}}}; // nothing overrides what follows
     state.parameters.heightMips = state.parameters.wireframe = false; // the search itself, at full resolution
     const auto context = WindowlessContext::create();
     if (!context)

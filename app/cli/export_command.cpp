@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/exporters/exporters.h"
+#include "core/text.h"
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,8 @@ Result<Exported> exportScene(const ExportOptions& options)
     const ExportRow* row = findExport(options.target);
     if (!row)
         return problem({"there is no such target", "--target " + options.target, "relievo describe exports lists them"}, WrongUsage);
+    if (!row->suffix.empty() && lowerSuffix(options.out) != row->suffix)
+        return problem({"this target writes " + std::string(row->suffix), "-o " + options.out, "Give the file that suffix"}, WrongUsage);
     const Progress progress = shownProgress(options.common);
     const auto scene = openScene(options.state, progress);
     if (!scene)

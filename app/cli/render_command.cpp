@@ -49,15 +49,20 @@ Result<void> check(RenderOptions& options)
         return problem({"several views fit into an .exr only", "--views", "Write -o FILE.exr"}, WrongUsage);
     if (options.views.empty())
         options.views = {options.view};
-    for (const std::string& view : options.views)
+    for (const std::string& view : options.views) {
         if (!findView(view))
             return problem({"there is no such view", "--view " + view, "relievo describe views lists them"}, WrongUsage);
+        if (std::ranges::count(options.views, view) > 1)
+            return problem({"this view is named twice", "--views " + view, "Name each view once"}, WrongUsage);
+    }
     return {};
 }
 
 Result<void> write(const RenderOptions& options, std::vector<ImageLayer> layers)
 {
     const bool png = lowerSuffix(options.out) == ".png";
+    if (layers.size() > 1) // the first also without a name, for programs that show that one only
+        layers.insert(layers.begin(), layers.front());
     const auto written = png || layers.size() == 1 ? writeImage(options.out, layers.front().image, png) : writeLayers(options.out, layers);
     if (!written)
         return problem(written.error());
@@ -109,8 +114,12 @@ void addRender(CLI::App& app, int& exitCode)
         ->required()
         ->type_name("FILE");
     command->add_option("--size", options->size, "Size in pixels, 1024x768 when not given")->type_name("WxH");
-    command->add_option("--view", options->view, "What to show, see relievo describe views; shaded when not given")->type_name("KEY");
-    command->add_option("--views", options->views, "Several views as named layers of one .exr")->type_name("KEY,KEY...")->delimiter(',');
+    CLI::Option* one = command->add_option("--view", options->view, "What to show, see relievo describe views; shaded when not given");
+    one->type_name("KEY");
+    command->add_option("--views", options->views, "Several views as named layers of one .exr, the first also without a name")
+        ->type_name("KEY,KEY...")
+        ->delimiter(',')
+        ->excludes(one);
     command
         ->add_option(
             "--samples", options->samples, "Pictures averaged for smooth edges, 1 to 64; 4 when not given, 1 for heat maps and .exr")

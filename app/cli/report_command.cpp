@@ -113,14 +113,15 @@ Expected<void> measureAngle(GpuRun& run, const Subject& subject, std::size_t fie
 {
     const auto& [renderer, options, report, progress] = run;
     const State view = fillingView(subject.state, report.angles[angle]);
+    const Resources resources = fillingResources(subject.resources);
     std::vector<TimedFrame> frames = {plainQuad(view)};
     for (const SearchSetting& setting : report.plan.settings)
-        frames.push_back({withSetting(view, setting), std::string(timedView(subject.resources))});
+        frames.push_back({withSetting(view, setting), std::string(timedView(resources))});
     const auto times = frameTimes(
-        renderer, subject.resources, frames, report.pictureWidth, report.pictureHeight, options.fast ? 3 : 5, Progress{{}, progress.stop});
+        renderer, resources, frames, report.pictureWidth, report.pictureHeight, options.fast ? 3 : 5, Progress{{}, progress.stop});
     if (!times)
         return tl::unexpected(times.error());
-    const auto judge = PictureJudge::create(renderer, view, subject.resources, report.pictureWidth, report.pictureHeight);
+    const auto judge = PictureJudge::create(renderer, view, resources, report.pictureWidth, report.pictureHeight);
     if (!judge)
         return tl::unexpected(judge.error());
     for (std::size_t i = 0; i < report.plan.settings.size(); ++i) {

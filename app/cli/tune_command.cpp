@@ -113,6 +113,10 @@ Result<Tuned> tune(const TuneOptions& options)
 {
     if (!options.out.empty() && !isProjectFile(options.out))
         return problem({"a project is written as .relievo", "-o " + options.out, "Give it that suffix"}, WrongUsage);
+    for (const auto& [name, value] :
+        {std::pair("--max-error", options.maxError), {"--max-missed", options.maxMissed}, {"--max-fetches", options.maxFetches}})
+        if (std::isnan(value))
+            return problem({"this is not a number", name, "Write one of at least 0"}, WrongUsage);
     const auto techniques = techniquesOf(options.techniques);
     if (!techniques)
         return tl::unexpected(techniques.error());
@@ -121,6 +125,8 @@ Result<Tuned> tune(const TuneOptions& options)
     if (!subject)
         return tl::unexpected(subject.error());
     Tuned tuned{std::move(*subject), {}, {}, {}};
+    if (options.metric != "depth")
+        tuned.subject.resources = fillingResources(std::move(tuned.subject.resources));
     for (const TechniqueRow* technique : *techniques)
         for (SearchSetting& setting : settingsOf(*technique, effectiveParameters(tuned.subject.state, 0), kTuneSteps))
             tuned.plan.settings.push_back(std::move(setting));
@@ -163,7 +169,7 @@ std::vector<const Candidate*> shown(const Tuned& tuned)
         const auto same = std::ranges::find(list, series, [&](const Candidate* c) { return tuned.plan.settings[c->setting].series; });
         if (same == list.end())
             list.push_back(&candidate);
-        else if (candidate.error < (*same)->error)
+        else if (candidate.error < (*same)->error || std::isnan((*same)->error))
             *same = &candidate;
     }
     return list;

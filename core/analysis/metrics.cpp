@@ -81,8 +81,9 @@ HitErrors compareHits(
         errors.largestTexels = std::max(errors.largestTexels, texels);
     }
     const double count = double(std::max<std::size_t>(errors.rays, 1));
-    errors.rmse = std::sqrt(squares / count);
-    errors.rmseTexels = std::sqrt(squaresTexels / count);
+    const double told = double(std::max<std::size_t>(errors.rays - errors.ties, 1));
+    errors.rmse = std::sqrt(squares / told);
+    errors.rmseTexels = std::sqrt(squaresTexels / told);
     errors.meanBytes /= count;
     countFetches(errors, fetches);
     return errors;
@@ -92,11 +93,11 @@ HitErrors together(std::span<const HitErrors> sets)
 {
     HitErrors all;
     for (const HitErrors& set : sets) {
-        const double weight = double(set.rays);
+        const double weight = double(set.rays), told = double(set.rays - set.ties);
         all.rays += set.rays, all.invalid += set.invalid, all.ties += set.ties;
         all.tooDeep += set.tooDeep, all.tooShort += set.tooShort, all.notFound += set.notFound;
-        all.rmse += weight * set.rmse * set.rmse;
-        all.rmseTexels += weight * set.rmseTexels * set.rmseTexels;
+        all.rmse += told * set.rmse * set.rmse;
+        all.rmseTexels += told * set.rmseTexels * set.rmseTexels;
         all.meanFetches += weight * set.meanFetches;
         all.meanBytes += weight * set.meanBytes;
         all.p99Fetches += weight * set.p99Fetches;
@@ -104,8 +105,8 @@ HitErrors together(std::span<const HitErrors> sets)
         all.largestTexels = std::max(all.largestTexels, set.largestTexels);
         all.maxFetches = std::max(all.maxFetches, set.maxFetches);
     }
-    const double weight = double(std::max<std::size_t>(all.rays, 1));
-    all.rmse = std::sqrt(all.rmse / weight), all.rmseTexels = std::sqrt(all.rmseTexels / weight);
+    const double weight = double(std::max<std::size_t>(all.rays, 1)), told = double(std::max<std::size_t>(all.rays - all.ties, 1));
+    all.rmse = std::sqrt(all.rmse / told), all.rmseTexels = std::sqrt(all.rmseTexels / told);
     all.meanFetches /= weight, all.meanBytes /= weight, all.p99Fetches /= weight;
     return all;
 }

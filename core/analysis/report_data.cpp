@@ -50,7 +50,12 @@ std::string number(double value)
 
 std::string quoted(const std::string& text)
 {
-    return text.find_first_of(",\"") == text.npos ? text : '"' + text + '"';
+    if (text.find_first_of(",\"\r\n") == text.npos)
+        return text;
+    std::string out = "\"";
+    for (const char c : text)
+        out += c == '"' ? "\"\"" : std::string(1, c);
+    return out + '"';
 }
 
 nlohmann::ordered_json conditionsJson(const Report& report)
@@ -107,6 +112,8 @@ std::string figure(double value)
     const double size = std::abs(value);
     if (size < 5e-7)
         return "0";
+    if (size >= 1e15)
+        return number(value);
     const int decimals = std::clamp(2 - int(std::floor(std::log10(size))), 0, 6);
     char buffer[64];
     std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr);

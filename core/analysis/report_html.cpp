@@ -188,8 +188,8 @@ private:
             html += startOfRow(s);
             for (std::size_t band = 0; band < m_plan.bands.size(); ++band) {
                 const HitErrors& e = all(s, band);
-                html += cell(figure(e.meanFetches), "first") + cell(percent(e.wrongShare()), e.wrongShare() == 0. ? "none" : "")
-                    + cell(error(e.rmse));
+                html += cell(figure(e.meanFetches), "first")
+                    + cell(percent(e.wrongShare()), e.rays > 0 && e.wrong() + e.invalid == 0 ? "none" : "") + cell(error(e.rmse));
             }
             const auto [seconds, bytes] = costOf(s);
             html += cell(seconds > 0. ? figure(seconds) : "\u2013", "first") + cell(figure(bytes)) + "</tr>\n";

@@ -94,9 +94,11 @@ std::string tickText(double value)
 {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%g", value);
-    return value < 1e-4
-        ? "10" + std::string("<tspan dy='-4' font-size='8'>") + std::to_string(int(std::lround(std::log10(value)))) + "</tspan>"
-        : buffer;
+    if (value > 0.9999e-4)
+        return buffer;
+    const int power = int(std::floor(std::log10(value) + 1e-9)), times = int(std::lround(value / std::pow(10., power)));
+    return (times == 1 ? std::string() : std::to_string(times) + " · ") + "10<tspan dy='-4' font-size='8'>" + std::to_string(power)
+        + "</tspan>";
 }
 
 std::string gridOf(const Scale& scale)

@@ -12,4 +12,15 @@ const ExportRow* findExport(std::string_view key)
     return found == kExports.end() ? nullptr : &*found;
 }
 
+Expected<void> sparesSources(const ExportJob& job, const std::filesystem::path& file)
+{
+    const auto same = [&](const std::string& source) {
+        std::error_code code;
+        return !source.empty() && std::filesystem::equivalent(source, file, code);
+    };
+    if (same(job.state.mesh) || same(job.state.environment) || std::ranges::any_of(job.state.slots, same, &MapSlot::file))
+        return failure(file.string(), "this file is what the material was opened from", "Export to another folder or name");
+    return {};
+}
+
 } // namespace relievo

@@ -32,6 +32,9 @@ struct ExportRow {
     std::string_view help;
 };
 
+// What the material was opened from is never written over: an error when `file` is one of the State's own files.
+Expected<void> sparesSources(const ExportJob& job, const std::filesystem::path& file);
+
 Expected<Exported> exportGltf(const ExportJob& job);
 Expected<Exported> exportTextures(const ExportJob& job);
 Expected<Exported> exportPreset(const ExportJob& job);

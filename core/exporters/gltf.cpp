@@ -4,6 +4,7 @@
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
 #include "core/file.h"
+#include "core/maps/float_image.h"
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -43,6 +44,12 @@ public:
         }
         m_job.progress.at(0.9f);
         m_document["materials"] = Json::array({material});
+        if (m_hasPlainParts)
+            m_document["materials"].push_back({{"name", "plain"},
+                {"pbrMetallicRoughness",
+                    {{"baseColorFactor", tinted(kColorWithoutMap)}, {"roughnessFactor", shortest(m_parameters.roughness)},
+                        {"metallicFactor", 0.f}}}});
+        tellLeftOut();
         const Json wrap = m_parameters.wrap == 0 ? 10497 : 33071;
         if (m_document.contains("textures"))
             m_document["samplers"] = Json::array({{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", wrap}, {"wrapT", wrap}}});
@@ -107,8 +114,10 @@ private:
         Json primitives = Json::array();
         for (const MeshPart& part : mesh.parts) {
             const std::size_t view = addView(mesh.indices.data() + part.firstIndex, part.indexCount * sizeof(std::uint32_t), kIndices);
-            primitives.push_back(
-                {{"attributes", attributes}, {"indices", addAccessor(view, part.indexCount, kUint, "SCALAR")}, {"material", 0}});
+            const bool plain = isPlain(mesh, part, m_job.state.part);
+            m_hasPlainParts = m_hasPlainParts || plain;
+            primitives.push_back({{"attributes", attributes}, {"indices", addAccessor(view, part.indexCount, kUint, "SCALAR")},
+                {"material", plain ? 1 : 0}});
         }
         m_document["meshes"] = Json::array({{{"name", mesh.name}, {"primitives", primitives}}});
         m_document["nodes"] = Json::array({{{"name", mesh.name}, {"mesh", 0}}});
@@ -134,8 +143,8 @@ private:
         if (p.tiling == 1.f && p.offsetU == 0.f && p.offsetV == 0.f && p.rotation == 0.f)
             return info;
         // Its rotation turns the UVs counter-clockwise as seen on the image, which turns the image clockwise: the other way round.
-        info["extensions"][kTransform]
-            = {{"offset", {p.offsetU, p.offsetV}}, {"rotation", -glm::radians(p.rotation)}, {"scale", {p.tiling, p.tiling}}};
+        info["extensions"][kTransform] = {{"offset", {shortest(p.offsetU), shortest(p.offsetV)}},
+            {"rotation", shortest(-glm::radians(p.rotation))}, {"scale", {shortest(p.tiling), shortest(p.tiling)}}};
         use(kTransform);
         return info;
     }
@@ -146,11 +155,16 @@ private:
             m_extensions.push_back(extension);
     }
 
+    Json tinted(float color) const
+    {
+        const glm::vec3 c = glm::vec3(m_parameters.tint) * color;
+        return {shortest(c.x), shortest(c.y), shortest(c.z), 1.f};
+    }
+
     Expected<void> addColor(Json& material)
     {
         Json& pbr = material["pbrMetallicRoughness"];
-        const glm::vec3 tint = m_parameters.tint;
-        pbr["baseColorFactor"] = {tint.x, tint.y, tint.z, 1.f};
+        pbr["baseColorFactor"] = tinted(m_material.map(MapKind::Color) ? 1.f : kColorWithoutMap);
         const std::optional<Image> color = baseColorImage(m_material, m_job.size);
         if (!color)
             return {};
@@ -168,8 +182,8 @@ private:
     Expected<void> addPacked(Json& material)
     {
         Json& pbr = material["pbrMetallicRoughness"];
-        pbr["roughnessFactor"] = m_parameters.roughness;
-        pbr["metallicFactor"] = m_material.map(MapKind::Metallic) ? m_parameters.metallic : 0.f;
+        pbr["roughnessFactor"] = shortest(m_parameters.roughness);
+        pbr["metallicFactor"] = m_material.map(MapKind::Metallic) ? shortest(m_parameters.metallic) : 0.;
         const std::optional<Image> packed = packedImage(m_material, m_job.size);
         if (!packed)
             return {};
@@ -179,7 +193,7 @@ private:
         pbr["metallicRoughnessTexture"] = *texture;
         if (m_material.map(MapKind::AmbientOcclusion)) {
             material["occlusionTexture"] = *texture;
-            material["occlusionTexture"]["strength"] = m_parameters.aoStrength;
+            material["occlusionTexture"]["strength"] = shortest(m_parameters.aoStrength);
         }
         return {};
     }
@@ -193,7 +207,7 @@ private:
         if (!texture)
             return tl::unexpected(texture.error());
         material["normalTexture"] = *texture;
-        material["normalTexture"]["scale"] = m_parameters.normalStrength;
+        material["normalTexture"]["scale"] = shortest(m_parameters.normalStrength);
         return {};
     }
 
@@ -202,17 +216,34 @@ private:
         const Image* emission = m_material.map(MapKind::Emission);
         if (!emission || m_parameters.emission <= 0.f)
             return {};
-        Expected<Json> texture = addTexture(eightBit(reduced(*emission, m_job.size, Averaging::Srgb), true), "emission", true);
+        // The texture holds no light above 1: what is brighter goes into the strength.
+        Image light = reduced(*emission, m_job.size, Averaging::Srgb);
+        const float most = std::max(brightest(light), 1.f), strength = most * m_parameters.emission;
+        if (most > 1.f)
+            for (float& value : floats(light))
+                value /= most;
+        Expected<Json> texture = addTexture(eightBit(light, true), "emission", true);
         if (!texture)
             return tl::unexpected(texture.error());
         material["emissiveTexture"] = *texture;
-        const float factor = std::min(m_parameters.emission, 1.f);
+        const double factor = shortest(std::min(strength, 1.f));
         material["emissiveFactor"] = {factor, factor, factor};
-        if (m_parameters.emission > 1.f) {
-            material["extensions"][kBrighter] = {{"emissiveStrength", m_parameters.emission}};
+        if (strength > 1.f) {
+            material["extensions"][kBrighter] = {{"emissiveStrength", shortest(strength)}};
             use(kBrighter);
         }
         return {};
+    }
+
+    void tellLeftOut()
+    {
+        Warnings& warnings = m_exported.warnings;
+        if (m_parameters.shading == 1 && m_material.map(MapKind::Specular))
+            warnings.push_back({"gltf-specular", "glTF shades by metallic and roughness: the specular map is left out."});
+        if (const auto& moved = m_job.resources.mesh->deformation; moved && !(moved->clips.empty() && moved->targets.empty()))
+            warnings.push_back({"gltf-rest", "The mesh is written at rest, without its animations and targets."});
+        if (m_material.height && !m_material.map(MapKind::Normal))
+            warnings.push_back({"normal-made", "The normal map was made from the height map at the material's depth."});
     }
 
     Expected<void> addRelief(Json& material)
@@ -225,8 +256,8 @@ private:
         if (!texture)
             return tl::unexpected(texture.error());
         const float measured = m_job.resources.mesh->metresPerUV;
-        const Json numbers = {{"depth", physicalDepth(m_parameters, measured)}, {"midlevel", m_parameters.midlevel},
-            {"metresPerUV", metresPerUV(m_parameters, measured)},
+        const Json numbers = {{"depth", shortest(physicalDepth(m_parameters, measured))}, {"midlevel", shortest(m_parameters.midlevel)},
+            {"metresPerUV", shortest(metresPerUV(m_parameters, measured))},
             {"technique", m_job.state.panes.empty() ? Pane().technique : m_job.state.panes.front().technique},
             {"minSteps", m_parameters.minSteps}, {"maxSteps", m_parameters.maxSteps}, {"refineSteps", m_parameters.refineSteps}};
         Json relief = {{"heightTexture", *texture}};
@@ -266,6 +297,8 @@ private:
         put(file, std::uint32_t(m_binary.size()));
         put(file, 0x004E4942u);
         file.insert(file.end(), m_binary.begin(), m_binary.end());
+        if (Expected<void> free = sparesSources(m_job, m_job.out); !free)
+            return tl::unexpected(free.error());
         NewFiles made;
         made.willMake(m_job.out);
         if (Expected<void> written = writeAtomically(m_job.out, file); !written)
@@ -276,7 +309,12 @@ private:
             return std::move(m_exported);
         }
         fs::path beside = m_job.out;
-        beside.replace_filename(m_job.out.stem().string() + "_height.png");
+        for (const char* name : {"_height.png", "_glb_height.png", "_relievo_height.png"}) {
+            beside.replace_filename(m_job.out.stem().string() + name);
+            if (sparesSources(m_job, beside))
+                break;
+        }
+        made.willMake(beside);
         if (Expected<void> written = writeImage(beside, reduced(heightImage(*m_material.height, 16), m_job.size, Averaging::Plain));
             !written)
             return tl::unexpected(written.error());
@@ -290,6 +328,7 @@ private:
     const Material& m_material;
     Json m_document = Json::object();
     std::vector<std::byte> m_binary;
+    bool m_hasPlainParts = false;
     std::vector<std::string> m_extensions;
     Exported m_exported;
 };

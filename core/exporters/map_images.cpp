@@ -4,6 +4,7 @@
 #include "core/exporters/map_images.h"
 #include "core/maps/maps.h"
 #include "core/maps/normal.h"
+#include <charconv>
 #include <cmath>
 #include <tbb/parallel_for.h>
 
@@ -180,20 +181,43 @@ std::optional<Image> normalImage(const Material& material, const Parameters& par
     return normalFromHeight(material.height->withWrap(parameters.wrap == 0 ? Wrap::Repeat : Wrap::Clamp), parameters.depth, progress);
 }
 
+float brightest(const Image& image)
+{
+    float most = 0.f;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < image.channels; ++c)
+                if (const float value = image.value(x, y, c); std::isfinite(value))
+                    most = std::max(most, value);
+    return most;
+}
+
+double shortest(float value)
+{
+    char text[32];
+    double number = double(value);
+    const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+    std::from_chars(text, end, number);
+    return number;
+}
+
 std::string fileStem(const std::string& name)
 {
     std::string stem;
     bool capital = false; // words are joined, so that the map's suffix stays a word of its own
     for (const char c : name) {
         const bool lower = c >= 'a' && c <= 'z';
-        const bool plain = lower || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        const bool plain = lower || (c & 0x80) != 0 || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
         if (plain)
             stem += capital && lower ? char(c - 'a' + 'A') : c;
         capital = !plain;
     }
     while (!stem.empty() && stem.front() == '.')
         stem.erase(stem.begin());
-    return stem.empty() ? "material" : stem.substr(0, 100);
+    std::size_t size = std::min<std::size_t>(stem.size(), 100);
+    while (size > 0 && size < stem.size() && (stem[size] & 0xC0) == 0x80)
+        --size; // no character is cut
+    return stem.empty() ? "material" : stem.substr(0, size);
 }
 
 } // namespace relievo

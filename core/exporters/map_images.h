@@ -19,7 +19,8 @@ Image eightBit(const Image& image, bool srgb);
 // Heights as one channel of 8 or 16 bits.
 Image heightImage(const HeightField& field, int bits);
 
-// Base colour with opacity as alpha (3 channels when there is none), 8 bits sRGB; nothing when the material has neither.
+// Base colour with opacity as alpha (3 channels when there is none), 8 bits sRGB; nothing when the material has neither. Where it has no
+// colour the pixels are white: the exporter's factor is kColorWithoutMap then.
 std::optional<Image> baseColorImage(const Material& material, int size);
 
 // glTF's packing, 8 bits: red occlusion, green roughness, blue metallic; a missing map is 1 (metallic: 0). Nothing when all are.
@@ -28,7 +29,13 @@ std::optional<Image> packedImage(const Material& material, int size);
 // The set's normal map, or one made from height at the parameters' depth (16 bits); nothing without either.
 std::optional<Image> normalImage(const Material& material, const Parameters& parameters, const Progress& progress);
 
-// A file name without characters that systems or shells trip over; never empty.
+// The largest value of an image; of integers at most 1.
+float brightest(const Image& image);
+
+// The double of the shortest decimal that is this float, so that files say 0.028 and not 0.02800000086426735.
+double shortest(float value);
+
+// A file name without characters that systems or shells trip over; letters of any script stay. Never empty.
 std::string fileStem(const std::string& name);
 
 } // namespace relievo

@@ -25,6 +25,12 @@ public:
         if (!std::filesystem::exists(path, code))
             m_paths.push_back(path);
     }
+    void willMakeFolders(const std::filesystem::path& folder) // it and those above it
+    {
+        if (folder.has_parent_path() && folder.parent_path() != folder)
+            willMakeFolders(folder.parent_path());
+        willMake(folder);
+    }
     void keep() { m_paths.clear(); }
 
 private:

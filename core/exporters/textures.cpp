@@ -53,10 +53,12 @@ Json numbersOf(const ExportJob& job, const Parameters& parameters)
 {
     const float measured = job.resources.mesh->metresPerUV;
     const float depth = physicalDepth(parameters, measured), unit = metresPerUV(parameters, measured);
-    return {{"name", job.state.name}, {"depthMetres", depth}, {"depthUV", depth / unit}, {"depthInTiles", parameters.depth},
-        {"midlevel", parameters.midlevel}, {"metresPerUV", unit}, {"tiling", parameters.tiling}, {"tileMetres", unit / parameters.tiling},
-        {"offset", {parameters.offsetU, parameters.offsetV}}, {"rotationDegrees", parameters.rotation},
-        {"wrap", parameters.wrap == 0 ? "repeat" : "clamp"}, {"normalStrength", parameters.normalStrength},
+    const auto number = [](float value) { return shortest(value); };
+    return {{"name", job.state.name}, {"depthMetres", number(depth)}, {"depthUV", number(depth / unit)},
+        {"depthInTiles", number(parameters.depth)}, {"midlevel", number(parameters.midlevel)}, {"metresPerUV", number(unit)},
+        {"tiling", number(parameters.tiling)}, {"tileMetres", number(unit / parameters.tiling)},
+        {"offset", {number(parameters.offsetU), number(parameters.offsetV)}}, {"rotationDegrees", number(parameters.rotation)},
+        {"wrap", parameters.wrap == 0 ? "repeat" : "clamp"}, {"normalStrength", number(parameters.normalStrength)},
         {"technique", job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique}};
 }
 } // namespace
@@ -65,7 +67,7 @@ Expected<Exported> exportTextures(const ExportJob& job)
 {
     std::error_code code;
     NewFiles made;
-    made.willMake(job.out);
+    made.willMakeFolders(job.out);
     fs::create_directories(job.out, code);
     if (!fs::is_directory(job.out, code))
         return failure(job.out.string(), "the folder cannot be made", "Choose a folder that you may write to");
@@ -82,6 +84,8 @@ Expected<Exported> exportTextures(const ExportJob& job)
         if (!image)
             continue;
         const fs::path path = job.out / (stem + '_' + std::string(file.suffix) + ".png");
+        if (Expected<void> free = sparesSources(job, path); !free)
+            return tl::unexpected(free.error());
         made.willMake(path);
         if (Expected<void> written = writeImage(path, *image, row(file.kind).isColor); !written)
             return tl::unexpected(written.error());
@@ -97,7 +101,7 @@ Expected<Exported> exportTextures(const ExportJob& job)
     else if (!material.map(MapKind::Normal))
         exported.warnings.push_back({"normal-made", "The normal map was made from the height map at the material's depth."});
     const Image* emission = material.map(MapKind::Emission);
-    if (emission && emission->type == PixelType::F32)
+    if (emission && brightest(*emission) > 1.f)
         exported.warnings.push_back({"emission-clipped", "Emission brighter than 1 was clipped: PNG cannot hold it."});
     numbers["maps"] = maps;
     const fs::path path = job.out / "relief.json";

@@ -54,7 +54,8 @@ public:
         return (*m_heights)[std::size_t(y) * std::size_t(m_width) + std::size_t(x)];
     }
 
-    // Bilinear height at uv; texel centres lie at (i + 0.5) / size, as in OpenGL. Non-finite uv reads texel (0, 0).
+    // Bilinear height at uv; texel centres lie at (i + 0.5) / size, as in OpenGL. An infinite
+    // coordinate reads the border of its side under clamp; other non-finite ones the first texel along their axis.
     float at(glm::vec2 uv) const;
 
     // The four corners of cell (i, j), between the texel centres (i, j) and (i + 1, j + 1).

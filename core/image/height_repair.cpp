@@ -10,7 +10,7 @@
 
 namespace relievo {
 namespace {
-// Mean of the finite ones among the eight neighbours of (x, y), before any repair.
+// Mean of the finite ones among the eight neighbours of (x, y); not a number without any.
 float neighbourMean(const std::vector<float>& values, int width, int height, int channels, int x, int y, int c)
 {
     double sum = 0;
@@ -23,7 +23,39 @@ float neighbourMean(const std::vector<float>& values, int width, int height, int
                 ++count;
             }
         }
-    return count > 0 ? float(sum / count) : 0.f;
+    return count > 0 ? float(sum / count) : NAN;
+}
+
+// Mean of the channel's finite values; 0 without any.
+float finiteMean(const std::vector<float>& values, std::size_t channels, std::size_t c)
+{
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = c; i < values.size(); i += channels)
+        if (std::isfinite(values[i])) {
+            sum += double(values[i]);
+            ++count;
+        }
+    return count > 0 ? float(sum / double(count)) : 0.f;
+}
+
+// Repairs those of `gaps` that have finite neighbours, from the values before; returns the others.
+std::vector<std::size_t> repairRim(std::vector<float>& values, const std::vector<std::size_t>& gaps, int width, int height, int channels)
+{
+    std::vector<std::pair<std::size_t, float>> repairs;
+    std::vector<std::size_t> inner;
+    const std::size_t rowValues = std::size_t(width) * std::size_t(channels);
+    for (const std::size_t i : gaps) {
+        const int y = int(i / rowValues), x = int(i % rowValues) / channels, c = int(i % std::size_t(channels));
+        const float mean = neighbourMean(values, width, height, channels, x, y, c);
+        if (std::isfinite(mean))
+            repairs.emplace_back(i, mean);
+        else
+            inner.push_back(i);
+    }
+    for (const auto& [at, value] : repairs)
+        values[at] = value;
+    return inner;
 }
 
 std::string number(double value)
@@ -36,16 +68,25 @@ std::string number(double value)
 
 std::size_t repairNonFinite(std::vector<float>& values, int width, int height, int channels)
 {
-    std::vector<std::pair<std::size_t, float>> repairs;
-    const std::size_t rowValues = std::size_t(width) * std::size_t(channels);
+    std::vector<std::size_t> gaps;
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (!std::isfinite(values[i])) {
-            const int y = int(i / rowValues), x = int(i % rowValues) / channels, c = int(i % std::size_t(channels));
-            repairs.emplace_back(i, neighbourMean(values, width, height, channels, x, y, c));
-        }
-    for (const auto& [at, value] : repairs)
-        values[at] = value;
-    return repairs.size();
+        if (!std::isfinite(values[i]))
+            gaps.push_back(i);
+    const std::size_t count = gaps.size();
+    for (int rim = 0; rim < kRepairedRims && !gaps.empty(); ++rim) {
+        std::vector<std::size_t> inner = repairRim(values, gaps, width, height, channels);
+        if (inner.size() == gaps.size())
+            break;
+        gaps = std::move(inner);
+    }
+    if (gaps.empty())
+        return count;
+    std::vector<float> means;
+    for (std::size_t c = 0; c < std::size_t(channels); ++c)
+        means.push_back(finiteMean(values, std::size_t(channels), c));
+    for (const std::size_t i : gaps)
+        values[i] = means[i % std::size_t(channels)];
+    return count;
 }
 
 std::vector<float> scalarValues(const Image& image, Channel channel)

@@ -12,8 +12,9 @@
 
 namespace relievo {
 
-// Replaces NaN and infinities by the mean of their finite neighbours (0 without any); values are width * height * channels.
-// Returns how many there were.
+// Replaces NaN and infinities by the mean of their finite neighbours, gaps from their rim inwards; deeper than kRepairedRims texels
+// by the mean of the channel (0 when nothing of it is finite). Values are width * height * channels. Returns how many there were.
+inline constexpr int kRepairedRims = 16;
 std::size_t repairNonFinite(std::vector<float>& values, int width, int height, int channels);
 
 // The channel as floats: integers / maximum, Rgb as the mean of three.

@@ -13,6 +13,8 @@
 
 namespace relievo {
 
+inline constexpr float kColorWithoutMap = 0.4f; // linear, each channel: what is shown where a material has no colour map
+
 // Immutable. A map that the slots do not name is absent: nothing is made up here.
 struct Material {
     std::optional<HeightField> height; // 1 = top, already flipped when the slot says invert; wrap repeat

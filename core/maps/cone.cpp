@@ -141,12 +141,14 @@ BakedMap heightAndRatio(const HeightField& field, BakedMap map)
     return map;
 }
 
-// The smallest of 3 x 3 texels in channel 1, under the field's wrap mode; by way of channel 0.
-void takeSmallestAround(const HeightField& field, Image& image)
+// The smallest of 3 x 3 texels in channel 1, under the field's wrap mode; by way of channel 0. Stops early when cancelled.
+void takeSmallestAround(const HeightField& field, Image& image, const Progress& progress)
 {
     const int width = field.width(), height = field.height();
     const auto out = floats(image);
     tbb::parallel_for(0, height, [&](int y) {
+        if (progress.cancelled())
+            return;
         for (int x = 0; x < width; ++x) {
             float smallest = kWidestCone;
             for (int j = y - 1; j <= y + 1; ++j)
@@ -175,8 +177,8 @@ BakedMap bakeConeRobust(const HeightField& field, const Parameters&, const Progr
 {
     BakedMap map = searched<TexelLeaf>(field, texelBeforeFall, progress);
     if (!map.levels.empty())
-        takeSmallestAround(field, map.levels[0]);
-    return heightAndRatio(field, std::move(map));
+        takeSmallestAround(field, map.levels[0], progress);
+    return progress.cancelled() ? BakedMap() : heightAndRatio(field, std::move(map));
 }
 
 BakedMap bakeConeQuad(const HeightField& field, const Parameters&, const Progress& progress)

@@ -42,10 +42,13 @@ double heightAt(const HeightField& field, double x, double y)
 }
 
 // The highest point of the surface above each column of the tile; a bilinear patch is highest at a corner of its part of the column.
-std::vector<float> columnHeights(const HeightField& field, const Axis& u, const Axis& v)
+// Stops early when cancelled.
+std::vector<float> columnHeights(const HeightField& field, const Axis& u, const Axis& v, const Progress& progress)
 {
     std::vector<float> heights(std::size_t(u.columns()) * std::size_t(v.columns()));
     tbb::parallel_for(0, v.columns(), [&](int j) {
+        if (progress.cancelled())
+            return;
         const std::vector<double> ys = cuts(v, j);
         for (int i = 0; i < u.columns(); ++i) {
             double highest = 0.;
@@ -156,7 +159,7 @@ struct Volume {
 BakedMap bakeDistance(const HeightField& field, const Parameters&, const Progress& progress)
 {
     const Axis u{std::min(field.width(), kDistanceSize), field.width()}, v{std::min(field.height(), kDistanceSize), field.height()};
-    const Volume volume{field, u, v, columnHeights(field, u, v)};
+    const Volume volume{field, u, v, columnHeights(field, u, v, progress)};
     BakedMap map = oneLevel(floatImage(u.voxels, v.voxels * kDistanceSlices, 1), kDistanceSlices);
     const std::size_t size = std::size_t(u.voxels) * std::size_t(v.voxels);
     std::atomic<int> done = 0;

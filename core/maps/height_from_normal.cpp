@@ -102,8 +102,11 @@ float signedDifference(int k, int size)
 // dh/du and dh/dv at a texel, per tile.
 glm::vec2 slopeOf(const Image& normals, int x, int y)
 {
+    // No whole number stands for exactly 0: both codes next to the middle do (those after them lie 3 steps away).
+    const float level = normals.type == PixelType::U8 ? 1.5f / 255.f : normals.type == PixelType::U16 ? 1.5f / 65535.f : 0.f;
     const auto component = [&](int c) { return 2.f * normals.value(x, y, c) - 1.f; };
-    const float nx = component(0), ny = component(1), nz = component(2);
+    const auto sideways = [&](int c) { return std::abs(component(c)) < level ? 0.f : component(c); };
+    const float nx = sideways(0), ny = sideways(1), nz = component(2);
     if (!std::isfinite(nx) || !std::isfinite(ny) || !std::isfinite(nz))
         return glm::vec2(0.f);
     const auto slope = [&](float n) { return std::clamp(n / std::max(nz, 1e-6f), -32.f, 32.f); };

@@ -22,6 +22,13 @@ struct Scan {
     double shear; // texels across per texel along
     double step; // tiles per texel along
     int length, width; // texels along and across
+    // How far across every line has come at `k`: whole texels, and the share of one beyond, 0 where lines pass through texel centres.
+    // Rounded once for all lines, so that each texel lies between the same two lines for whoever asks.
+    struct Shift {
+        int whole;
+        float share; // in [0, 1]
+    };
+    std::vector<Shift> shifts; // of each k in [0, 2 length)
 
     Scan(const HeightField& f, double angle) : field(f)
     {
@@ -31,11 +38,18 @@ struct Scan {
         backward = (alongU ? u : v) < 0.;
         const double along = std::abs(alongU ? u : v);
         shear = (alongU ? v : u) / along;
-        if (std::abs(shear - std::round(shear)) < 1e-9)
-            shear = std::round(shear);
         step = 1. / along;
         length = alongU ? f.width() : f.height();
         width = alongU ? f.height() : f.width();
+        for (int k = 0; k < 2 * length; ++k)
+            shifts.push_back(shiftOf(double(k) * shear));
+    }
+    static Shift shiftOf(double shift)
+    {
+        const double whole = std::floor(shift), share = shift - whole;
+        if (share > 1. - 1e-9)
+            return {int(whole) + 1, 0.f};
+        return {int(whole), share < 1e-9 ? 0.f : float(share)};
     }
     float texel(int k, int across) const
     {
@@ -52,14 +66,12 @@ struct Scan {
     // Lines [first, last) pass by every texel. Those of a repeating field come back on the other side.
     int firstLine() const { return repeats() ? 0 : int(std::floor(std::min(0., -shear * length))) - 1; }
     int lastLine() const { return repeats() ? width : int(std::ceil(std::max(0., -shear * length))) + width + 1; }
-    double across(int line, int k) const { return double(line) + double(k) * shear; }
     // Height of the surface where the line crosses the texels of `k`.
     float heightAt(int line, int k) const
     {
-        const double at = across(line, k), low = std::floor(at);
-        const float share = float(at - low);
-        const float below = texel(k, int(low));
-        return share == 0.f ? below : below + share * (texel(k, int(low) + 1) - below);
+        const auto [whole, share] = shifts[std::size_t(k)];
+        const float below = texel(k, line + whole);
+        return share == 0.f ? below : below + share * (texel(k, line + whole + 1) - below);
     }
 };
 
@@ -113,14 +125,14 @@ void sweep(const Scan& scan, int line, Hull& hull, Slopes& slopes)
         const float height = scan.heightAt(line, k);
         if (k < scan.length) {
             const float slope = float(hull.steepest(double(k), double(height)));
-            const auto put = [&](double across, std::vector<float>& to) {
-                const int texel = scan.repeats() ? wrapIndex(int(across), scan.width, Wrap::Repeat) : int(across);
+            const auto put = [&](int across, std::vector<float>& to) {
+                const int texel = scan.repeats() ? wrapIndex(across, scan.width, Wrap::Repeat) : across;
                 if (texel >= 0 && texel < scan.width)
                     to[scan.index(k, texel)] = slope;
             };
-            const double at = scan.across(line, k), up = std::ceil(at);
-            put(up, slopes.below);
-            put(up == at ? at : up - 1., slopes.above);
+            const auto [whole, share] = scan.shifts[std::size_t(k)];
+            put(line + whole + (share > 0.f ? 1 : 0), slopes.below);
+            put(line + whole, slopes.above);
         }
         hull.push(double(k), height);
     }
@@ -141,8 +153,8 @@ std::vector<float> horizonSines(const HeightField& field, float depthInTiles, in
         if (progress.cancelled())
             return;
         for (int k = 0; k < scan.length; ++k) {
-            const double at = double(across) - double(k) * scan.shear; // of the texel among the lines
-            const float share = float(at - std::floor(at));
+            const float beyond = scan.shifts[std::size_t(k)].share; // of the line above the texel
+            const float share = beyond > 0.f ? 1.f - beyond : 0.f; // of the texel beyond the line below it
             float& below = slopes.below[scan.index(k, across)];
             const float slope = below + share * (slopes.above[scan.index(k, across)] - below);
             const float tangent = std::max(0.f, depthInTiles * slope / float(scan.step));

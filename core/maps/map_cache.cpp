@@ -10,6 +10,7 @@
 #include <cstring>
 #include <list>
 #include <mutex>
+#include <new>
 #include <xxhash.h>
 
 namespace relievo {
@@ -92,6 +93,16 @@ fs::path fileOf(const fs::path& folder, const std::string& key)
     return folder / (hexHash(std::as_bytes(std::span(key))) + ".map");
 }
 
+// Whether the cache writes such names: those of fileOf, and the temporary ones of writeAtomically, which a crash leaves behind.
+bool isOwnName(std::string_view name)
+{
+    constexpr std::size_t kDigits = 32;
+    if (name.size() <= kDigits || name.find_first_not_of("0123456789abcdef") != kDigits)
+        return false;
+    const std::string_view suffix = name.substr(kDigits);
+    return suffix == ".map" || (suffix.starts_with(".map.") && suffix.size() == std::string_view(".map.XXXXXX").size());
+}
+
 void trim(const fs::path& folder, std::uintmax_t limit)
 {
     struct File {
@@ -105,7 +116,7 @@ void trim(const fs::path& folder, std::uintmax_t limit)
     for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
         std::error_code gone; // another program may remove files meanwhile
         const File file{at->path(), at->last_write_time(gone), at->file_size(gone)};
-        if (gone || file.path.filename().string().find(".map") == std::string::npos)
+        if (gone || !isOwnName(file.path.filename().string()))
             continue;
         files.push_back(file);
         sum += file.size;
@@ -115,8 +126,14 @@ void trim(const fs::path& folder, std::uintmax_t limit)
         if (sum <= limit)
             break;
         fs::remove(file.path, code);
-        sum -= file.size;
+        if (!code)
+            sum -= file.size;
     }
+}
+
+std::size_t packedSize(const std::string& key, const BakedMap& map)
+{
+    return sizeof kMagic + sizeof(Head) + key.size() + map.levels.size() * sizeof(LevelHead) + map.bytes() + sizeof(std::uint64_t);
 }
 
 } // namespace
@@ -182,30 +199,37 @@ std::optional<fs::path> cacheFolder()
 
 std::optional<BakedMap> mapOnDisk(const fs::path& folder, const std::string& key)
 {
-    const fs::path file = fileOf(folder, key);
-    const auto bytes = readBytes(file);
-    if (!bytes)
+    try {
+        const fs::path file = fileOf(folder, key);
+        const auto bytes = readBytes(file);
+        if (!bytes)
+            return std::nullopt;
+        auto map = unpackedMap(key, *bytes);
+        std::error_code code;
+        if (map)
+            fs::last_write_time(file, fs::file_time_type::clock::now(), code); // used just now
+        return map;
+    } catch (const std::bad_alloc&) {
         return std::nullopt;
-    auto map = unpackedMap(key, *bytes);
-    std::error_code code;
-    if (map)
-        fs::last_write_time(file, fs::file_time_type::clock::now(), code); // used just now
-    return map;
+    }
 }
 
 void keepOnDisk(const fs::path& folder, const std::string& key, const BakedMap& map, std::uintmax_t limit)
 {
-    std::error_code code;
-    fs::create_directories(folder, code);
-    if (map.bytes() > limit || !writeAtomically(fileOf(folder, key), packedMap(key, map)))
-        return;
-    trim(folder, limit);
+    try {
+        std::error_code code;
+        fs::create_directories(folder, code);
+        if (packedSize(key, map) > limit || !writeAtomically(fileOf(folder, key), packedMap(key, map)))
+            return;
+        trim(folder, limit);
+    } catch (const std::bad_alloc&) { // it is baked again next time
+    }
 }
 
 std::vector<std::byte> packedMap(const std::string& key, const BakedMap& map)
 {
     std::vector<std::byte> out;
-    out.reserve(map.bytes() + key.size() + 64 + map.levels.size() * sizeof(LevelHead));
+    out.reserve(packedSize(key, map));
     append(out, kMagic, sizeof kMagic);
     const Head head{
         std::uint32_t(key.size()), std::uint32_t(map.levels.size()), map.slices, {map.scale[0], map.scale[1], map.scale[2], map.scale[3]}};
@@ -236,7 +260,8 @@ std::optional<BakedMap> unpackedMap(const std::string& key, std::span<const std:
     if (!reader.take(magic, sizeof magic) || std::memcmp(magic, kMagic, sizeof magic) != 0 || !reader.take(&head, sizeof head))
         return std::nullopt;
     std::string echo(std::min(std::size_t(head.keyBytes), reader.left.size()), '\0');
-    if (head.keyBytes != key.size() || !reader.take(echo.data(), key.size()) || echo != key || head.slices < 1 || head.levels > 64)
+    if (head.keyBytes != key.size() || !reader.take(echo.data(), key.size()) || echo != key || head.slices < 1 || head.levels < 1
+        || head.levels > 64)
         return std::nullopt;
     BakedMap map;
     map.slices = head.slices;

@@ -31,10 +31,12 @@ void forgetMapsInMemory();
 // RELIEVO_CACHE, or relievo/ in XDG_CACHE_HOME or ~/.cache; nothing when it is "off" or there is no home.
 std::optional<std::filesystem::path> cacheFolder();
 
-// On disk: one file a map, which echoes its key and ends in a checksum. What is not exactly as it was written is not read.
+// On disk: one file a map, which echoes its key and ends in a checksum. What is not exactly as it was written is not read, nor
+// what there is no memory for.
 std::optional<BakedMap> mapOnDisk(const std::filesystem::path& folder, const std::string& key);
-// Writes atomically, then removes the files used longest ago until all fit in `limit` bytes. A folder that cannot be made or
-// written, or a full disk, only means that nothing is kept.
+// Writes atomically, then removes the files used longest ago until all fit in `limit` bytes; files that the cache did not write are
+// neither counted nor removed. A folder that cannot be made or written, a full disk or too little memory only means that nothing is
+// kept.
 void keepOnDisk(const std::filesystem::path& folder, const std::string& key, const BakedMap& map, std::uintmax_t limit = 2ull << 30);
 
 // The bytes of such a file.

@@ -4,11 +4,11 @@
 #include "core/maps/maps.h"
 #include "core/maps/float_image.h"
 #include "core/maps/map_cache.h"
+#include "core/maps/memory_guard.h"
 #include "core/maps/normal.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <new>
 
 namespace relievo {
 
@@ -26,14 +26,21 @@ const MapRow* findMap(std::string_view key)
 namespace {
 template <class Bake> Expected<BakedMap> baked(const MapRow& row, const Progress& progress, Bake bake)
 {
-    try {
+    return withinMemory(row.key, [&]() -> Expected<BakedMap> {
         BakedMap map = bake();
         if (progress.cancelled())
             return failure(std::string(row.key), "cancelled");
         return map;
-    } catch (const std::bad_alloc&) {
-        return failure(std::string(row.key), "there is not enough memory to bake this map", "Use a smaller height map");
-    }
+    });
+}
+
+// Stored in row.bits. The floats end here, so that they take no memory while the result is packed for the disk.
+Expected<BakedMap> bakedInBits(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+{
+    const auto made = bakeMap(row, field, parameters, progress);
+    if (!made)
+        return tl::unexpected(made.error());
+    return baked(row, progress, [&] { return storedMap(row, *made, row.bits, progress); });
 }
 } // namespace
 
@@ -54,22 +61,24 @@ Expected<BakedMap> bakeMapFromNormals(const MapRow& row, const Image& normals, W
 Expected<std::shared_ptr<const BakedMap>> cachedMap(
     const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
-    const std::string key = mapKey(row, field, parameters);
-    if (auto kept = mapInMemory(key))
-        return kept;
-    const auto folder = cacheFolder();
-    auto read = folder ? mapOnDisk(*folder, key) : std::nullopt;
-    if (!read) {
-        const auto made = bakeMap(row, field, parameters, progress);
-        if (!made)
-            return tl::unexpected(made.error());
-        read = storedMap(row, *made, row.bits);
-        if (folder)
-            keepOnDisk(*folder, key, *read);
-    }
-    auto map = std::make_shared<const BakedMap>(std::move(*read));
-    keepInMemory(key, map);
-    return map;
+    return withinMemory(row.key, [&]() -> Expected<std::shared_ptr<const BakedMap>> {
+        const std::string key = mapKey(row, field, parameters);
+        if (auto kept = mapInMemory(key))
+            return kept;
+        const auto folder = cacheFolder();
+        auto read = folder ? mapOnDisk(*folder, key) : std::nullopt;
+        if (!read) {
+            auto made = bakedInBits(row, field, parameters, progress);
+            if (!made)
+                return tl::unexpected(made.error());
+            read = std::move(*made);
+            if (folder)
+                keepOnDisk(*folder, key, *read);
+        }
+        auto map = std::make_shared<const BakedMap>(std::move(*read));
+        keepInMemory(key, map);
+        return map;
+    });
 }
 
 Image withBits(const Image& image, int bits)

@@ -39,35 +39,36 @@ struct MapRow {
 BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, const Progress& progress);
 
 inline constexpr ChannelRule kRatio{Rounding::Down, Encoding::SquareRoot};
-inline constexpr std::array<ChannelRule, 4> kHeightAndRatio = {ChannelRule{}, kRatio};
+// A cone that starts too low may hold its own texel; heights that have a code stay what they are.
+inline constexpr std::array<ChannelRule, 4> kApexAndRatio = {ChannelRule{Rounding::Up}, kRatio};
 inline constexpr std::array<ChannelRule, 4> kFourRatios = {kRatio, kRatio, kRatio, kRatio};
 
 inline constexpr auto kMaps = std::to_array<MapRow>({
     {"normal", "Normal", "unit vector / 2 + 1/2", 3, {}, 16, 1, MapForm::Filtered, "depth normalStrength", bakeNormal,
         "Tangent-space normals of the height map at the State's depth, OpenGL style."},
-    {"height-from-normal", "Height from normals", "height", 1, {}, 16, 1, MapForm::Filtered, "", nullptr,
+    {"height-from-normal", "Height from normals", "height", 1, {}, 16, 2, MapForm::Filtered, "", nullptr,
         "The height map whose slopes are nearest to the normal map's, for sets without one; also tells the depth that it needs.",
         bakeHeightFromNormals},
-    {"ao", "Ambient occlusion", "share of the sky", 1, {}, 16, 1, MapForm::Filtered, "depth", bakeAo,
+    {"ao", "Ambient occlusion", "share of the sky", 1, {}, 16, 2, MapForm::Filtered, "depth", bakeAo,
         "Cosine-weighted share of the sky that the relief leaves open at the State's depth; 1 is open."},
-    {"horizon", "Horizons, 8 azimuths", "sine of the elevation", 4, {}, 8, 1, MapForm::Filtered, "depth", bakeHorizon8,
+    {"horizon", "Horizons, 8 azimuths", "sine of the elevation", 4, {}, 8, 2, MapForm::Filtered, "depth", bakeHorizon8,
         "How high the relief stands around each texel at the State's depth, in 8 directions from +u towards +v: four in the channels of "
         "the "
         "upper image, four in the one below it."},
-    {"horizon-16", "Horizons, 16 azimuths", "sine of the elevation", 4, {}, 8, 1, MapForm::Filtered, "depth", bakeHorizon16,
+    {"horizon-16", "Horizons, 16 azimuths", "sine of the elevation", 4, {}, 8, 2, MapForm::Filtered, "depth", bakeHorizon16,
         "As horizon, in 16 directions: four images one below the other."},
     {"curvature", "Curvature", "1/2 + H / (2 |H| + 32), H in 1/tile", 1, {}, 16, 1, MapForm::Filtered, "depth", bakeCurvature,
         "Mean curvature H of the relief at the State's depth: 0.5 is flat, brighter bulges out."},
     {"pyramid", "Maximum pyramid", "height", 1, {ChannelRule{Rounding::Up}}, 16, 1, MapForm::Pyramid, "", bakePyramid,
         "Highest point of the surface above each cell between texel centres, then of 2 x 2, up to one texel (Tevs 2008)."},
-    {"cone", "Cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, MapForm::Filtered, "", bakeCone,
+    {"cone", "Cone map", "height, tiles per height", 2, kApexAndRatio, 16, 2, MapForm::Filtered, "", bakeCone,
         "Height, and the ratio of the widest upward cone with no texel centre above it (Dummer 2006)."},
     {"cone-quad", "Quad cone map", "tiles per height", 4, kFourRatios, 16, 1, MapForm::Filtered, "", bakeConeQuad,
         "Cone ratios of the four sectors of 90 degrees centred on +u, -u, +v, -v (GPU Gems 3, chapter 18)."},
-    {"cone-relaxed", "Relaxed cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, MapForm::Filtered, "", bakeConeRelaxed,
+    {"cone-relaxed", "Relaxed cone map", "height, tiles per height", 2, kApexAndRatio, 16, 2, MapForm::Filtered, "", bakeConeRelaxed,
         "Height, and the ratio of the widest cone in which a ray from above enters the surface but never leaves it (Policarpo and Oliveira "
         "2007)."},
-    {"cone-robust", "Robust cone map", "height, tiles per height", 2, kHeightAndRatio, 16, 1, MapForm::Filtered, "", bakeConeRobust,
+    {"cone-robust", "Robust cone map", "height, tiles per height", 2, kApexAndRatio, 16, 2, MapForm::Filtered, "", bakeConeRobust,
         "Height, and the smallest of 3 x 3 cone ratios that only texels before a falling edge limit (Ban et al. 2024)."},
     {"cell-cone", "Cell cones", "codes", 4, {}, 16, 2, MapForm::Codes, "", bakeCellCones,
         "For each 2 x 2 cells between texel centres, and the nodes of 8, 32 and 128 cells a side that hold them: highest point (upper "
@@ -92,9 +93,11 @@ Expected<BakedMap> bakeMapFromNormals(
 // Integers: a channel of roots, or one that exceeds 1, is scaled so that its largest value is the highest code. With Rounding::Down
 // the value that a shader decodes in float, (stored / max) [squared] x scale, is the largest that does not exceed the map's, with
 // Rounding::Up the smallest that is not below. 32 bits: the floats themselves, or their roots rounded the same way; scale 1.
-BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits);
+// Cancelled (`progress` is only asked): the rest is left unwritten.
+BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits, const Progress& progress = {});
 
-// What a technique or a bake command uses: the row's map stored in row.bits, from the cache or baked now.
+// What a technique or a bake command uses: the row's map stored in row.bits, from the cache or baked now. Errors: those of the bake; what
+// cannot be kept is returned all the same.
 Expected<std::shared_ptr<const BakedMap>> cachedMap(
     const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/maps/search_texture.h"
 #include "core/maps/maps.h"
+#include "core/maps/memory_guard.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -144,7 +145,7 @@ std::shared_ptr<const SearchTexture> searchTextureOf(
         texture->levels.push_back(shelves(maps, field.width(), field.height()));
     for (const auto& map : maps) {
         texture->scales.push_back(map->scale);
-        if (row.form != MapForm::Pyramid)
+        if (row.form != MapForm::Pyramid && (row.form != MapForm::Volume || texture->levels.empty()))
             texture->levels.push_back(map->levels.front());
     }
     if (row.form == MapForm::Codes && maps.size() > 1)
@@ -156,15 +157,21 @@ Expected<std::shared_ptr<const SearchTexture>> searchTexture(
     std::string_view bound, const HeightField& field, const Parameters& parameters, bool allLevels, const Progress& progress)
 {
     const MapRow& row = *findMap(bound);
-    const std::vector<HeightField> heights = allLevels ? heightLevels(field) : std::vector<HeightField>{field};
-    std::vector<std::shared_ptr<const BakedMap>> maps;
-    for (std::size_t i = 0; i < heights.size() && int(i) < kMaxHeightLevels; ++i) {
-        auto map = cachedMap(row, heights[i], parameters, i == 0 ? progress : Progress{{}, progress.stop});
-        if (!map)
-            return tl::unexpected(map.error());
-        maps.push_back(std::move(*map));
-    }
-    return searchTextureOf(row, maps, field);
+    return withinMemory(bound, [&]() -> Expected<std::shared_ptr<const SearchTexture>> {
+        const std::vector<HeightField> heights = allLevels ? heightLevels(field) : std::vector<HeightField>{field};
+        std::vector<std::shared_ptr<const BakedMap>> maps;
+        for (std::size_t i = 0; i < heights.size() && int(i) < kMaxHeightLevels; ++i) {
+            if (row.form == MapForm::Volume && i > 0) {
+                maps.push_back(maps.front());
+                continue;
+            }
+            auto map = cachedMap(row, heights[i], parameters, i == 0 ? progress : Progress{{}, progress.stop});
+            if (!map)
+                return tl::unexpected(map.error());
+            maps.push_back(std::move(*map));
+        }
+        return searchTextureOf(row, maps, field);
+    });
 }
 
 } // namespace relievo

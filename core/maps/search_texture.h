@@ -23,7 +23,8 @@ int levelCount(const HeightField& field); // how many there are
 
 // Level i belongs to heightLevels()[i]; texels are addressed like the heights', those of codes by 2 x 2, padded to sizes that halve. A
 // pyramid is one image: level l (from 1 on; level 0 are the corners themselves) of height level i stands on shelf i + l, in slot l - 1.
-// Shelf s has slots of ceil(W / 2^s) x ceil(H / 2^s) texels and lies below the shelves 1 to s - 1.
+// Shelf s has slots of ceil(W / 2^s) x ceil(H / 2^s) texels and lies below the shelves 1 to s - 1. A volume is one level: that of the
+// finest heights serves all.
 struct SearchTexture {
     std::vector<Image> levels;
     int slices = 1; // of a volume, one below the other in the image
@@ -34,7 +35,7 @@ struct SearchTexture {
 
 inline constexpr int kMaxHeightLevels = 16; // room for scales in the shaders: textures of up to 32768 texels
 
-// The same from maps baked already, one for each height level of `field`.
+// The same from maps baked already, one for each height level of `field` (a volume: the finest one's each time).
 std::shared_ptr<const SearchTexture> searchTextureOf(
     const MapRow& row, const std::vector<std::shared_ptr<const BakedMap>>& maps, const HeightField& field);
 

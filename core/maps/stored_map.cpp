@@ -59,13 +59,15 @@ float floatOf(float value, const ChannelRule& rule)
 }
 
 // Roots are of values without a natural limit (ratios, distances): these use the whole range of codes. Others only when they must.
-float scaleOf(const BakedMap& map, int channel, const ChannelRule& rule)
+float scaleOf(const BakedMap& map, int channel, const ChannelRule& rule, const Progress& progress)
 {
     float highest = 0.f;
     for (const Image& level : map.levels) {
         const auto values = floats(level);
-        for (std::size_t i = std::size_t(channel); i < values.size(); i += std::size_t(level.channels))
-            highest = std::max(highest, values[i]);
+        const std::size_t row = std::size_t(level.width) * std::size_t(level.channels);
+        for (std::size_t begin = 0; begin < values.size() && !progress.cancelled(); begin += row)
+            for (std::size_t i = begin + std::size_t(channel); i < begin + row; i += std::size_t(level.channels))
+                highest = std::max(highest, values[i]);
     }
     if (rule.encoding == Encoding::Linear && highest <= 1.f)
         return 1.f;
@@ -82,7 +84,7 @@ void put(Image& image, std::size_t at, std::uint32_t code)
     }
 }
 
-Image storedLevel(const Image& level, const std::array<ChannelRule, 4>& rules, glm::vec4 scale, int bits)
+Image storedLevel(const Image& level, const std::array<ChannelRule, 4>& rules, glm::vec4 scale, int bits, const Progress& progress)
 {
     const std::size_t channels = std::size_t(level.channels), row = channels * std::size_t(level.width);
     const auto values = floats(level);
@@ -92,6 +94,8 @@ Image storedLevel(const Image& level, const std::array<ChannelRule, 4>& rules, g
         out.data.resize(values.size() * bytesOf(out.type));
     }
     tbb::parallel_for(0, level.height, [&](int y) {
+        if (progress.cancelled())
+            return;
         for (std::size_t at = std::size_t(y) * row; at < std::size_t(y + 1) * row; ++at) {
             const std::size_t c = at % channels;
             if (bits == 32)
@@ -105,7 +109,7 @@ Image storedLevel(const Image& level, const std::array<ChannelRule, 4>& rules, g
 
 } // namespace
 
-BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits)
+BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits, const Progress& progress)
 {
     if (row.form == MapForm::Codes)
         return map;
@@ -113,9 +117,9 @@ BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits)
     out.slices = map.slices;
     if (bits != 32)
         for (int c = 0; c < row.channels; ++c)
-            out.scale[c] = scaleOf(map, c, row.rules[std::size_t(c)]);
+            out.scale[c] = scaleOf(map, c, row.rules[std::size_t(c)], progress);
     for (const Image& level : map.levels)
-        out.levels.push_back(storedLevel(level, row.rules, out.scale, bits));
+        out.levels.push_back(storedLevel(level, row.rules, out.scale, bits, progress));
     return out;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shader_text/program_text.h"
+#include "core/image/material.h"
 #include "core/maps/maps.h"
 #include "core/shader_text/assembly.h"
 #include "core/state/techniques.h"
@@ -12,11 +13,11 @@ namespace relievo {
 namespace {
 
 // What a map gives where the material has none.
-std::string_view constantOf(MapKind kind)
+std::string constantOf(MapKind kind)
 {
     switch (kind) {
     case MapKind::Color:
-        return "vec3(0.4f)";
+        return "vec3(" + std::to_string(kColorWithoutMap) + "f)";
     case MapKind::Metallic:
         return "0.0f";
     case MapKind::Emission:
@@ -35,7 +36,7 @@ std::string mapFunction(const MapKindRow& row, bool present, bool gloss)
     const std::string map = gloss ? "glossMap" : std::string(row.key) + "Map";
     std::string text = std::string(scalar ? "float " : "vec3 ") + std::string(row.key) + "At(vec2 uv, float footprint) { return ";
     if (!present)
-        return text + std::string(constantOf(row.kind)) + "; }\n";
+        return text + constantOf(row.kind) + "; }\n";
     const std::string fetch = "textureLod(" + map + ", uv, max(0.0f, footprint + " + map + "Levels))" + (scalar ? ".r" : ".rgb");
     return text + (gloss ? "1.0f - " + fetch : fetch) + "; }\n";
 }

@@ -96,7 +96,7 @@ std::string toJson(const State& state, const fs::path& folder)
 std::string toPresetJson(const State& state)
 {
     const std::string technique = state.panes.empty() ? Pane().technique : state.panes.front().technique;
-    const Json json = {{"relievo", kStateVersion}, {"name", state.name}, {"parameters", parametersJson(effectiveParameters(state, 0))},
+    const Json json = {{"relievo", kStateVersion}, {"parameters", parametersJson(effectiveParameters(state, 0))},
         {"panes", Json::array({Json{{"technique", technique}}})}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

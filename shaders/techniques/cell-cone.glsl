@@ -11,7 +11,7 @@ Hit trace(Ray ray)
     vec2 perTexel = 1.0f / size;
     vec2 slope = ray.duv * size;
     vec2 inverse = inverseOf(slope);
-    vec2 ahead = vec2(slope.x < 0.0f ? 0.0f : 1.0f, slope.y < 0.0f ? 0.0f : 1.0f);
+    vec2 ahead = vec2(inverse.x < 0.0f ? 0.0f : 1.0f, inverse.y < 0.0f ? 0.0f : 1.0f);
     float texels = max(abs(slope.x), abs(slope.y));
     float past = 1e-5f / max(texels, 1e-3f); // a hundred-thousandth of a texel beyond a wall
     float travel = length(ray.duv);
@@ -27,18 +27,19 @@ Hit trace(Ray ray)
     vec4 acrossY = vec4(2.0f, 8.0f, 32.0f, 128.0f) * ahead.y;
     vec2 border = size * ahead;
     float lowest = 1.0f - ray.end;
+    float last = lowest - (past > 1e-5f ? past : 0.0f); // what is beyond the last wall that a nearly vertical ray crosses is looked at too
     Walk walk = walkFrom(ray, slope, size, perTexel, max(1.0f - scale.w + bendFrom(0.0f).x, 0.0f) / (1.0f + bendRise(0.0f)));
     int fetches = 0;
     ivec2 held = ivec2(-1);
     ivec4 codes = ivec4(0);
     int i = 0;
     float z = heightOf(walk);
-    while (i < 65536 && z > lowest) {
+    while (i < 65536 && z > last) {
         float best = 0.0f;
         float leave = 0.0f;
         // Leaps, until the ray stays in its cell and may touch it. Apart from the solving below, because machines that run many rays
         // in step pay for both.
-        while (i < 65536 && z > lowest) {
+        while (i < 65536 && z > last) {
             vec2 inside = clamped() ? clamp(walk.cell, vec2(0.0f), size - 1.0f) : walk.cell;
             ivec2 key = ivec2(inside);
             if ((key >> 1) != held) { // else the ray is still over the texel's cells
@@ -61,6 +62,9 @@ Hit trace(Ray ray)
                 leaveX = mix(leaveX, vec4(1e30f), vec4(equal(min(wallX + inside.x, vec4(size.x)), vec4(border.x))));
                 leaveY = mix(leaveY, vec4(1e30f), vec4(equal(min(wallY + inside.y, vec4(size.y)), vec4(border.y))));
                 toBorder = vec2(1e30f);
+                // So does a cell whose outer corners are the inner ones.
+                toWall.x = (ahead.x > 0.0f ? walk.cell.x >= size.x - 1.0f : walk.cell.x < 0.0f) ? 2.0f : toWall.x;
+                toWall.y = (ahead.y > 0.0f ? walk.cell.y >= size.y - 1.0f : walk.cell.y < 0.0f) ? 2.0f : toWall.y;
             }
             vec4 leap = max(min(min(leaveX, leaveY), min(above / rise, min(toBorder.x, toBorder.y))), cone);
             best = max(max(max(leap.x, leap.y), max(leap.z, leap.w)), 0.0f);
@@ -73,10 +77,10 @@ Hit trace(Ray ray)
             z = heightOf(walk);
         }
         float after = z - best;
-        if (after <= lowest || i >= 65536)
+        if (after <= last || i >= 65536)
             break;
         ++fetches;
-        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, after, min(leave - best, after - lowest), past);
+        float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, after, max(min(leave - best, after - lowest), 0.0f), past);
         if (s <= 1.0f) {
             float t = clamp(1.0f - walk.z + (walk.below + best + s), 0.0f, 1.0f);
             return Hit(ray.uv + ray.duv * t, t, true, fetches);

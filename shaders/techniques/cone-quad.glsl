@@ -15,12 +15,14 @@ Hit trace(Ray ray)
                          : (ray.duv.y < 0.0f ? vec4(0.0f, 0.0f, 0.0f, 1.0f) : vec4(0.0f, 0.0f, 1.0f, 0.0f));
     float scale = dot(boundScale(), sector);
     float outside = 0.0f;
-    for (int i = 0; i < leapSteps; ++i) {
+    for (int i = 0; true; ++i) {
         vec2 uv = ray.uv + ray.duv * hit.t;
         float above = 1.0f - hit.t - heightAt(uv) + bendFrom(hit.t).x;
         ++hit.fetches;
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
+        if (i >= leapSteps)
+            break; // the end of the last leap was still looked at
         float root = dot(boundAt(uv), sector);
         ++hit.fetches;
         float ratio = root * root * scale;

@@ -12,12 +12,14 @@ Hit trace(Ray ray)
     Hit hit = Hit(ray.uv, 0.0f, true, 0);
     float travel = length(ray.duv);
     float outside = 0.0f;
-    for (int i = 0; i < leapSteps; ++i) {
+    for (int i = 0; i < leapSteps || lastBracket; ++i) {
         vec4 bound = boundAt(ray.uv + ray.duv * hit.t);
         ++hit.fetches;
         float above = clamp(1.0f - hit.t - bound.x + bendFrom(hit.t).x, 0.0f, 1.0f);
         if (lastBracket && above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
+        if (lastBracket && (i >= leapSteps || hit.t >= ray.end))
+            break; // after the last leap its end is still looked at
         float ratio = bound.y * bound.y * boundScale().y;
         outside = hit.t;
         hit.t = min(ray.end, hit.t + coneLeap(above, ratio, travel, bendRise(outside)));
@@ -27,7 +29,8 @@ Hit trace(Ray ray)
     if (lastBracket)
         return hit;
 
-    float range = 0.5f * hit.t;
+    float all = hit.t;
+    float range = 0.5f * all;
     float t = range;
     for (int i = 0; i < refineSteps; ++i) {
         ++hit.fetches;
@@ -35,7 +38,7 @@ Hit trace(Ray ray)
         t += t < 1.0f - heightOn(ray, t) ? range : -range;
     }
     hit.t = t;
-    hit.found = endsOnFloor(ray) || t < ray.end * 0.99f;
+    hit.found = hit.found || t < all - 2.0f * range; // else no halving was inside
     hit.uv = ray.uv + ray.duv * t;
     return hit;
 }

@@ -1,6 +1,6 @@
 // Robust cone step mapping: relaxed cones of 3 x 3 texels, and never less than a step to the border of the bilinear cell.
 // Ban, Valasek, Balint, Vad 2024, Robust Cone Step Mapping (EGSR). provenStep: measures the ray by |du| + |dv| instead of its length,
-// which bounds the rise of a bilinear surface between any two points whose apex cells carry the cone.
+// by which cones of texels that nothing rises above bound the bilinear surface between them too; relaxed cones it only makes safer.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 #include "bisection.glsl"
@@ -13,13 +13,15 @@ Hit trace(Ray ray)
     vec2 slope = ray.duv * size;
     float travel = provenStep ? abs(ray.duv.x) + abs(ray.duv.y) : length(ray.duv);
     float outside = 0.0f;
-    for (int i = 0; i < leapSteps; ++i) {
+    for (int i = 0; true; ++i) {
         vec2 uv = ray.uv + ray.duv * hit.t;
         vec4 bound = boundAt(uv);
         ++hit.fetches;
         float above = 1.0f - hit.t - bound.x + bendFrom(hit.t).x;
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
+        if (i >= leapSteps)
+            break; // the end of the last leap was still looked at
         float ratio = bound.y * bound.y * boundScale().y;
         vec2 p = uv * size - 0.5f;
         p = p - floor(p);

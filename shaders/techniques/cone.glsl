@@ -11,12 +11,14 @@ Hit trace(Ray ray)
     Hit hit = Hit(ray.uv, 0.0f, true, 0);
     float travel = length(ray.duv);
     float outside = 0.0f;
-    for (int i = 0; i < leapSteps; ++i) {
+    for (int i = 0; true; ++i) {
         vec4 bound = boundAt(ray.uv + ray.duv * hit.t);
         ++hit.fetches;
         float above = 1.0f - hit.t - bound.x + bendFrom(hit.t).x;
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
+        if (i >= leapSteps)
+            break; // the end of the last leap was still looked at
         float ratio = bound.y * bound.y * boundScale().y;
         outside = hit.t;
         hit.t += coneLeap(above, ratio, travel, bendRise(outside));

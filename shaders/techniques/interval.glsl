@@ -11,10 +11,10 @@ Hit trace(Ray ray)
     int steps = stepsFor(ray);
     float outside = 0.0f;
     float inside = ray.end;
-    float gapOutside = 1.0f - heightAt(ray.uv);
+    float gapOutside = max(1.0f - heightOn(ray, 0.0f), 0.0f);
     float gapInside = 0.0f;
     for (int i = 1; i <= steps && !hit.found; ++i) {
-        float t = ray.end * (float(i) / float(steps));
+        float t = stepAt(ray, i, steps);
         float gap = 1.0f - t - heightOn(ray, t);
         ++hit.fetches;
         if (gap <= 0.0f) {

@@ -9,10 +9,10 @@ Hit trace(Ray ray)
 {
     int steps = stepsFor(ray);
     // The height at the surface is read once, for the secant of the first step.
-    float gap = 1.0f - heightAt(ray.uv);
+    float gap = max(1.0f - heightOn(ray, 0.0f), 0.0f);
     float outside = 0.0f;
     for (int i = 1; i <= steps; ++i) {
-        float t = ray.end * (float(i) / float(steps));
+        float t = stepAt(ray, i, steps);
         float next = 1.0f - t - heightOn(ray, t);
         if (next <= 0.0f) {
             float found = secantOf(outside, t, gap, next);

@@ -13,7 +13,7 @@ Hit trace(Ray ray)
     vec2 perTexel = 1.0f / size;
     vec2 slope = ray.duv * size;
     vec2 inverse = inverseOf(slope);
-    vec2 ahead = vec2(slope.x < 0.0f ? 0.0f : 1.0f, slope.y < 0.0f ? 0.0f : 1.0f);
+    vec2 ahead = vec2(inverse.x < 0.0f ? 0.0f : 1.0f, inverse.y < 0.0f ? 0.0f : 1.0f);
     float texels = max(abs(slope.x), abs(slope.y));
     float past = 1e-5f / max(texels, 1e-3f); // a hundred-thousandth of a texel beyond a wall
     Hit miss = Hit(ray.uv + ray.duv * ray.end, ray.end, endsOnFloor(ray), 0);
@@ -27,9 +27,10 @@ Hit trace(Ray ray)
     for (int s = 1; s < first + level; ++s)
         shelf += ((base.y - 1) >> s) + 1;
     float lowest = 1.0f - ray.end;
+    float last = lowest - (past > 1e-5f ? past : 0.0f); // what is beyond the last wall that a nearly vertical ray crosses is looked at too
     Walk walk = walkFrom(ray, slope, size, perTexel, 0.0f);
     int fetches = 0;
-    for (int i = 0; i < 65536 && heightOf(walk) > lowest; ++i) {
+    for (int i = 0; i < 65536 && heightOf(walk) > last; ++i) {
         float z = heightOf(walk);
         vec2 key = clamp(walk.cell, vec2(0.0f), size - 1.0f);
         float span = float(1 << level);
@@ -39,18 +40,20 @@ Hit trace(Ray ray)
         vec2 place = walk.cell - low;
         vec2 wall = (high - low) * ahead;
         vec2 toWall = (wall - place - walk.p) * inverse;
-        if (clamped() && level > 0) { // beyond a clamped border the node goes on
-            if (ahead.x > 0.0f ? high.x >= size.x : low.x <= 0.0f)
+        if (clamped()) { // beyond a clamped border the node goes on, and so does a cell whose outer corners are the inner ones
+            float inner = level > 0 ? 0.0f : -1.0f;
+            if (ahead.x > 0.0f ? high.x >= size.x : low.x <= inner)
                 toWall.x = 2.0f;
-            if (ahead.y > 0.0f ? high.y >= size.y : low.y <= 0.0f)
+            if (ahead.y > 0.0f ? high.y >= size.y : low.y <= inner)
                 toWall.y = 2.0f;
         }
         float leave = max(min(toWall.x, toWall.y), 0.0f);
         ++fetches;
         if (level > 0) {
             int slot = ((base.x - 1) >> (first + level)) + 1;
-            float highest = boundTexel(ivec2((level - 1) * slot + int(node.x), shelf + int(node.y))) - bendLeast(1.0f - z, 1.0f - z + leave);
-            if (z - highest < leave) {
+            float highest = boundTexel(ivec2((level - 1) * slot + int(node.x), shelf + int(node.y)));
+            if (leastHeight(z, min(leave, z - lowest)) < highest) {
+                highest -= bendLeast(1.0f - z, 1.0f - z + leave);
                 walk = moved(walk, slope, size, perTexel, max(z - highest, 0.0f));
                 --level;
                 if (level > 0)
@@ -58,7 +61,7 @@ Hit trace(Ray ray)
                 continue;
             }
         } else {
-            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, z, min(leave, z - lowest), past);
+            float s = cellRoot(cornersAt(walk.cell), walk.p, slope, z, max(min(leave, z - lowest), 0.0f), past);
             if (s <= 1.0f) {
                 float t = clamp(1.0f - walk.z + (walk.below + s), 0.0f, 1.0f);
                 return Hit(ray.uv + ray.duv * t, t, true, fetches);

@@ -12,7 +12,7 @@ Hit trace(Ray ray)
     int steps = stepsFor(ray);
     float outside = 0.0f;
     for (int i = 1; i <= steps; ++i) {
-        float t = ray.end * (float(i) / float(steps)); // not a running sum: that would miss the floor
+        float t = stepAt(ray, i, steps);
         ++hit.fetches;
         if (1.0f - heightOn(ray, t) <= t) {
             hit.found = true;

@@ -8,7 +8,7 @@ Hit trace(Ray ray)
 {
     int steps = stepsFor(ray);
     for (int i = 1; i <= steps; ++i) {
-        float t = ray.end * (float(i) / float(steps));
+        float t = stepAt(ray, i, steps);
         if (1.0f - heightOn(ray, t) <= t)
             return Hit(ray.uv + ray.duv * t, t, true, i);
     }

@@ -270,6 +270,7 @@ TEST(Report, FiguresHaveThreeDigits)
     EXPECT_EQ(figure(1240.4), "1240");
     EXPECT_EQ(figure(0.00002), "0.00002");
     EXPECT_EQ(figure(1e-9), "0");
+    EXPECT_EQ(figure(1e100), "1e+100");
     EXPECT_EQ(figure(std::nan("")), "-");
     EXPECT_EQ(figure(std::numeric_limits<double>::infinity()), "inf");
 }
@@ -359,6 +360,9 @@ TEST(Report, AxesHoldEveryPoint)
     EXPECT_EQ(axes.yFrom, 1e-4);
     EXPECT_NE(plotSvg("title", axes, plots[0]).find("<title>b</title>"), std::string::npos);
     EXPECT_FALSE(axes.large);
+    const std::vector<PlotCurve> small = {{0, false, {{3., 2.2e-5, ""}, {9., 6e-5, ""}}}}; // a span of less than a decade has ticks between
+    const std::string svg = plotSvg("", axesFor({small}, 1e-5, "", ""), small);
+    EXPECT_NE(svg.find("2 · 10<tspan dy='-4' font-size='8'>-5</tspan>"), std::string::npos) << svg;
     const std::vector<PlotCurve> many(9, plots[0][0]), empty(9, PlotCurve{0, false, {}});
     EXPECT_TRUE(axesFor({many}, 0.1, "", "").large);
     EXPECT_FALSE(axesFor({empty}, 0.1, "", "").large); // curves without points are not drawn

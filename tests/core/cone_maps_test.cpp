@@ -130,6 +130,22 @@ TEST_P(ConeMaps, ConeHoldsNoTexel)
     }
 }
 
+TEST_P(ConeMaps, ConeInFewBitsHoldsNoTexelEither)
+{
+    for (const HeightField& field : smallFields(GetParam())) {
+        const MapRow& row = *findMap("cone");
+        const BakedMap map = storedMap(row, *bakeMap(row, field, Parameters()), 8);
+        for (int y = 0; y < field.height(); ++y)
+            for (int x = 0; x < field.width(); ++x) {
+                const float root = map.levels[0].value(x, y, 1);
+                const double apex = double(map.scale[0] * map.levels[0].value(x, y, 0)), ratio = double(root * root * map.scale[1]);
+                const double limit = bruteRatio(field, x, y,
+                    [&](const HeightField& f, int i, int j, Offset offset, double) { return texelLimit(f, i, j, offset, apex); });
+                ASSERT_LE(ratio, limit) << field.width() << 'x' << field.height() << " at " << x << ',' << y;
+            }
+    }
+}
+
 TEST_P(ConeMaps, QuadConeHoldsNoTexelOfItsSector)
 {
     constexpr std::array<std::array<int, 2>, 4> kAxes = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <unistd.h>
 
 using namespace relievo;
@@ -143,6 +144,88 @@ TEST_F(Export, WithoutHeightThereIsNoReliefAndItIsTold)
     EXPECT_FALSE(glb("a.glb").contains("extensionsUsed"));
 }
 
+// The natural name of a set's own height map is that of the file beside the .glb.
+TEST_F(Export, WhatWasOpenedIsNeverWrittenOver)
+{
+    ASSERT_TRUE(run("textures", "set"));
+    const fs::path folder = m_folder / "set";
+    fs::copy_file(folder / "HammeredMetal_Height.png", folder / "a_height.png");
+    m_state.slots = {};
+    m_state.slots[std::size_t(MapKind::Height)].file = (folder / "a_height.png").string();
+    m_state.slots[std::size_t(MapKind::Color)].file = (folder / "HammeredMetal_Color.png").string();
+    const std::string heights = *readText(folder / "a_height.png"), colors = *readText(folder / "HammeredMetal_Color.png");
+    const Expected<Exported> exported = run("gltf", "set/a.glb", 16);
+    ASSERT_TRUE(exported);
+    EXPECT_EQ(exported->files[1].filename(), "a_glb_height.png");
+    EXPECT_EQ(*readText(folder / "a_height.png"), heights);
+    const Expected<Exported> refused = run("textures", "set", 16);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().where.find("HammeredMetal_Color.png"), std::string::npos);
+    EXPECT_EQ(*readText(folder / "HammeredMetal_Color.png"), colors);
+    m_state.mesh = (folder / "a.glb").string();
+    EXPECT_FALSE(run("gltf", "set/a.glb"));
+}
+
+TEST_F(Export, PlainPartsStayPlainAndWithoutColorIsGrey)
+{
+    m_state.mesh = "spheres";
+    m_state.slots[std::size_t(MapKind::Color)] = {};
+    m_state.parameters.tint = glm::vec3(1.f, 0.5f, 0.f);
+    ASSERT_TRUE(run("gltf", "a.glb"));
+    const json document = glb("a.glb");
+    const Mesh mesh = *openMesh("spheres");
+    const json& primitives = document["meshes"][0]["primitives"];
+    ASSERT_EQ(primitives.size(), mesh.parts.size());
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
+        EXPECT_EQ(primitives[i]["material"], isPlain(mesh, mesh.parts[i], "") ? 1 : 0) << i;
+    ASSERT_EQ(document["materials"].size(), 2u);
+    EXPECT_FALSE(document["materials"][1].contains("normalTexture"));
+    EXPECT_EQ(document["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"], json::array({0.4, 0.2, 0., 1.}));
+    EXPECT_EQ(document["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"], json::array({0.4, 0.2, 0., 1.}));
+}
+
+TEST_F(Export, BrightEmissionGoesIntoTheStrength)
+{
+    Image light{2, 1, 3, PixelType::F32, 32, true, std::vector<std::byte>(24)};
+    const float values[] = {5.f, 2.5f, 0.f, 1.f, 0.f, 5.f};
+    std::memcpy(light.data.data(), values, sizeof values);
+    ASSERT_TRUE(writeImage(m_folder / "lamp.exr", light));
+    m_state.slots[std::size_t(MapKind::Emission)].file = (m_folder / "lamp.exr").string();
+    m_state.parameters.emission = 2.f;
+    ASSERT_TRUE(run("gltf", "a.glb"));
+    const json document = glb("a.glb");
+    EXPECT_NEAR(document["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"].get<double>(), 10., 0.01);
+    const auto clipped = [&] {
+        const Expected<Exported> exported = run("textures", "t");
+        EXPECT_TRUE(exported);
+        return exported && std::ranges::count(exported->warnings, "emission-clipped", &Warning::code) > 0;
+    };
+    EXPECT_TRUE(clipped());
+    for (int i = 0; i < 6; ++i)
+        reinterpret_cast<float*>(light.data.data())[i] = 0.2f * values[i];
+    ASSERT_TRUE(writeImage(m_folder / "lamp.exr", light));
+    EXPECT_FALSE(clipped());
+}
+
+TEST_F(Export, WhatGltfLeavesOutIsTold)
+{
+    const auto codes = [&] {
+        std::set<std::string> set;
+        for (const Warning& warning : run("gltf", "a.glb").value_or(Exported()).warnings)
+            set.insert(warning.code);
+        return set;
+    };
+    EXPECT_FALSE(codes().contains("gltf-rest"));
+    m_state.mesh = "character";
+    m_state.slots[std::size_t(MapKind::Normal)] = {};
+    EXPECT_TRUE(codes().contains("gltf-rest"));
+    EXPECT_TRUE(codes().contains("normal-made"));
+    ASSERT_TRUE(run("textures", "set"));
+    m_state.slots[std::size_t(MapKind::Specular)].file = (m_folder / "set/HammeredMetal_Color.png").string();
+    m_state.parameters.shading = 1;
+    EXPECT_TRUE(codes().contains("gltf-specular"));
+}
+
 TEST_F(Export, FolderHoldsEachMapAndTheNumbers)
 {
     m_state.name = "Old copper";
@@ -150,6 +233,7 @@ TEST_F(Export, FolderHoldsEachMapAndTheNumbers)
     ASSERT_TRUE(exported) << message(exported.error());
     const json numbers = json::parse(readText(m_folder / "new/folder/relief.json").value_or("{}"));
     EXPECT_NEAR(numbers["depthMetres"].get<float>(), m_state.parameters.depth, 1e-6f);
+    EXPECT_LT(numbers["depthMetres"].dump().size(), 10u) << numbers["depthMetres"]; // no float widened to a double
     EXPECT_NEAR(numbers["depthUV"].get<float>(), m_state.parameters.depth, 1e-6f);
     EXPECT_EQ(numbers["metresPerUV"], 1.f);
     EXPECT_EQ(numbers["maps"].size(), 5u); // height, color, normal (made), roughness, metallic
@@ -192,7 +276,14 @@ TEST(ExportImages, FileStemsAreSafe)
 {
     EXPECT_EQ(fileStem("Hammered metal"), "HammeredMetal");
     EXPECT_EQ(fileStem("../a b/\\\"c"), "ABC");
-    EXPECT_EQ(fileStem("\xC3\xA9"), "material");
+    EXPECT_EQ(fileStem("\xC3\xA9t\xC3\xA9 chaud"),
+        "\xC3\xA9t\xC3\xA9"
+        "Chaud");
+    std::string cyrillic;
+    while (cyrillic.size() < 120)
+        cyrillic += "\xD0\x9A";
+    EXPECT_EQ(fileStem("x" + cyrillic).size(), 99u); // no character is cut
+    EXPECT_EQ(fileStem("/:"), "material");
     EXPECT_EQ(fileStem("rock_2K-v1.2"), "rock_2K-v1.2");
 }
 

@@ -52,6 +52,33 @@ TEST(HeightFromNormal, FlatOrSpoiltNormalsGiveALevelTop)
     }
 }
 
+// No code of 8 or 16 bits is exactly 0: taken at its word, either middle one would be a ramp.
+TEST(HeightFromNormal, FlatNormalsInWholeNumbersGiveALevelTop)
+{
+    for (const auto& [type, most] : {std::pair{PixelType::U8, 255.f}, {PixelType::U16, 65535.f}})
+        for (const float below : {0.f, 1.f}) {
+            const float middle = (std::ceil(most / 2.f) - below) / most;
+            const Image flat = makeImage(40, 24, 3, type, [&](int, int, int c) { return c == 2 ? 1.f : middle; });
+            for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp}) {
+                float depth = -1.f;
+                const HeightField back = heightFromNormals(flat, wrap, depth);
+                EXPECT_EQ(depth, 0.f);
+                for (const float h : back.texels())
+                    ASSERT_EQ(h, 1.f);
+            }
+        }
+}
+
+// The codes after those are slopes: a ramp of 3 / 255 stays one.
+TEST(HeightFromNormal, TheLeastSlopeOfWholeNumbersIsKept)
+{
+    const Image tilted = makeImage(40, 24, 3, PixelType::U8, [](int, int, int c) { return c == 0 ? 126.f / 255.f : c == 1 ? 0.5f : 1.f; });
+    float depth = 0.f;
+    const HeightField back = heightFromNormals(tilted, Wrap::Clamp, depth);
+    EXPECT_GT(depth, 0.008f);
+    EXPECT_LT(back.texel(0, 12), back.texel(39, 12));
+}
+
 TEST(HeightFromNormal, AnyImageGivesHeights)
 {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp})

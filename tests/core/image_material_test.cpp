@@ -270,6 +270,42 @@ TEST(Material, RepairUsesNeighboursOfTheSameChannel)
     EXPECT_EQ(values[2], 2.f);
 }
 
+// What loads as heights is rescaled: a gap must not come out as an extreme of the map.
+TEST(Material, LargeGapsAreFilledFromTheirRim)
+{
+    const auto depths = [](int size, int gap) {
+        return makeImage(size, size, 1, PixelType::F32, [=](int x, int y, int) {
+            const int from = (size - gap) / 2, to = from + gap;
+            return x >= from && x < to && y >= from && y < to ? NAN : -20.f + 10.f * float(x) / float(size - 1);
+        });
+    };
+    const std::vector<float> small = soundScalars(depths(9, 5), Channel::R, false), large = soundScalars(depths(61, 55), Channel::R, false);
+    EXPECT_EQ(small.front(), 0.f);
+    EXPECT_EQ(small.back() - small.front(), 1.f);
+    for (int y = 0; y < 9; ++y)
+        for (int x = 1; x < 9; ++x)
+            EXPECT_GE(small[std::size_t(y * 9 + x)], small[std::size_t(y * 9 + x - 1)]) << "it rises as around it: " << x << ',' << y;
+    EXPECT_NEAR(small[4 * 9 + 4], 0.5f, 1e-5f);
+    for (int y = 1; y < 60; ++y)
+        for (int x = 1; x < 60; ++x)
+            ASSERT_TRUE(large[std::size_t(y * 61 + x)] > 0.f && large[std::size_t(y * 61 + x)] < 1.f) << x << ',' << y;
+    EXPECT_NEAR(large[30 * 61 + 30], 0.5f, 0.01f);
+    std::vector<float> nothing(12, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(repairNonFinite(nothing, 3, 2, 2), 12u);
+    EXPECT_EQ(nothing, std::vector<float>(12, 0.f));
+}
+
+TEST(HeightField, NonFiniteCoordinatesReadTexels)
+{
+    const HeightField field(3, 2, {0.f, 0.25f, 0.5f, 0.125f, 0.375f, 1.f}, Wrap::Clamp);
+    for (const float u : {NAN, -INFINITY})
+        EXPECT_EQ(field.at({u, 0.75f}), 0.125f) << u;
+    EXPECT_EQ(field.at({INFINITY, 0.75f}), 1.f);
+    EXPECT_EQ(field.at({INFINITY, INFINITY}), 1.f);
+    for (const float u : {NAN, -INFINITY, INFINITY})
+        EXPECT_EQ(field.withWrap(Wrap::Repeat).at({u, 0.75f}), 0.125f) << u;
+}
+
 // The GPU reads 16-bit whole numbers; the CPU's heights must be those to the last bit, or searches of many steps drift apart.
 TEST(Material, FlippedHeightsAreStoredValues)
 {

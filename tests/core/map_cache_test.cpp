@@ -3,10 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/maps/map_cache.h"
 #include "core/maps/maps.h"
+#include "core/maps/search_texture.h"
 #include "tests/core/image_support.h"
 #include "tests/core/maps_support.h"
+#include <atomic>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <new>
 #include <set>
 
 using namespace relievo;
@@ -120,6 +123,9 @@ TEST(MapCache, HeadsThatLieAreRefused)
     map = pyramid();
     map.levels[0].type = PixelType(7);
     EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    map = pyramid();
+    map.levels.clear();
+    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
 }
 
 TEST(MapCache, AMapIsBakedOnceAndReadAfterwards)
@@ -188,6 +194,124 @@ TEST(MapCache, TheOldestFilesMakeRoom)
     keepOnDisk(folder.path(), "large", map, size / 2);
     EXPECT_FALSE(mapOnDisk(folder.path(), "large")) << "larger than all room";
 }
+
+TEST(MapCache, OnlyFilesOfTheCacheMakeRoom)
+{
+    TemporaryFolder folder;
+    const BakedMap map = pyramid();
+    const std::uintmax_t size = packedMap("0", map).size();
+    const std::string digits(32, 'a');
+    for (const std::string& name : {std::string("world.map"), std::string("site.mapping"), digits + ".map.old", digits + "b.map",
+             digits + ".mapfile", std::string(32, 'A') + ".map", digits})
+        writeAll(folder / name, std::string(size, 'x'));
+    const auto foreign = filesIn(folder.path());
+    for (const std::string& name : {digits + ".map.Xy09Zz", std::string(32, '0') + ".map"}) // left by a crash, and an older map
+        writeAll(folder / name, std::string(size, 'x'));
+    for (const fs::path& file : filesIn(folder.path()))
+        fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
+    keepOnDisk(folder.path(), "0", map, size);
+    EXPECT_TRUE(mapOnDisk(folder.path(), "0")) << "files of others do not count";
+    EXPECT_EQ(filesIn(folder.path()).size(), foreign.size() + 1);
+    for (const fs::path& file : foreign)
+        EXPECT_TRUE(fs::exists(file)) << file;
+}
+
+TEST(MapCache, AMapWhoseFileExceedsTheRoomIsNotWritten)
+{
+    TemporaryFolder folder;
+    const BakedMap map = pyramid();
+    const std::uintmax_t size = packedMap("0", map).size();
+    ASSERT_GT(size - 1, map.bytes());
+    keepOnDisk(folder.path(), "0", map, size);
+    keepOnDisk(folder.path(), "1", map, size - 1);
+    EXPECT_TRUE(mapOnDisk(folder.path(), "0")) << "exactly fits, and made no room for what does not";
+    EXPECT_FALSE(mapOnDisk(folder.path(), "1"));
+}
+
+TEST(SearchTexture, AVolumeIsBakedOnceForAllHeightLevels)
+{
+    const OwnCache cache;
+    const HeightField finest = heightLevels(field()).front();
+    const auto one = searchTexture("distance", finest, Parameters(), false), all = searchTexture("distance", finest, Parameters(), true);
+    ASSERT_TRUE(one && all);
+    EXPECT_EQ(filesIn(cache.path()).size(), 1u);
+    ASSERT_EQ((*all)->levels.size(), 1u);
+    EXPECT_TRUE((*all)->levels[0].data == (*one)->levels[0].data);
+    EXPECT_EQ((*all)->scales, std::vector(std::size_t(levelCount(finest)), (*one)->scales.front())) << "shaders look up any level's";
+}
+
+// The sanitizers bring their own operator new.
+#ifndef __SANITIZE_ADDRESS__
+namespace {
+std::atomic<std::size_t> refusedFrom = 0, refusedTo = 0; // sizes in bytes; none at first
+
+// No memory for blocks of [from, to) bytes while it lives.
+struct RefusedMemory {
+    RefusedMemory(std::size_t from, std::size_t to) { refusedFrom = from, refusedTo = to; }
+    ~RefusedMemory() { refusedFrom = refusedTo = 0; }
+};
+} // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+    void* block = size >= refusedFrom && size < refusedTo ? nullptr : std::malloc(std::max<std::size_t>(size, 1));
+    if (!block)
+        throw std::bad_alloc();
+    return block;
+}
+[[gnu::noinline]] void operator delete(void* block) noexcept
+{
+    std::free(block);
+}
+[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept
+{
+    std::free(block);
+}
+
+TEST(MapCache, WithoutMemoryToKeepOrReadAMapItIsBakedAllTheSame)
+{
+    const OwnCache cache;
+    const MapRow& row = *findMap("curvature");
+    constexpr std::size_t kStored = 256 * 256 * 2; // bytes; a file has some more, the floats have twice as many
+    const auto bake = [&](const Progress& progress = {}) {
+        forgetMapsInMemory();
+        return cachedMap(row, field(0, 256), Parameters(), progress);
+    };
+    {
+        const RefusedMemory refused(kStored + 1, kStored + 1000);
+        ASSERT_TRUE(bake());
+        EXPECT_TRUE(filesIn(cache.path()).empty());
+    }
+    const auto kept = bake();
+    ASSERT_EQ(filesIn(cache.path()).size(), 1u);
+    int reports = 0;
+    {
+        const RefusedMemory refused(kStored + 1, kStored + 1000);
+        const auto again = bake({[&](float) { ++reports; }, {}});
+        ASSERT_TRUE(again);
+        EXPECT_TRUE(same(**kept, **again));
+    }
+    EXPECT_GT(reports, 0);
+    EXPECT_EQ(filesIn(cache.path()).size(), 1u);
+}
+
+TEST(MapCache, OutOfMemoryIsAnErrorWhereverItStrikes)
+{
+    const OwnCache cache;
+    const HeightField heights = field(0, 256);
+    constexpr std::size_t kStored = 256 * 256 * 2;
+    {
+        const RefusedMemory refused(kStored, kStored + 1);
+        const auto map = cachedMap(*findMap("curvature"), heights, Parameters());
+        ASSERT_FALSE(map);
+        EXPECT_NE(map.error().what.find("not enough memory"), std::string::npos);
+    }
+    const RefusedMemory refused(128 * 128 * 4, 128 * 128 * 4 + 1); // the level of half the size
+    const auto texture = searchTexture("pyramid", heights, Parameters(), true);
+    ASSERT_FALSE(texture);
+    EXPECT_NE(texture.error().what.find("not enough memory"), std::string::npos);
+}
+#endif
 
 TEST(MapCache, MemoryHoldsTheMapsUsedLast)
 {

@@ -144,6 +144,17 @@ TEST(Metrics, TiesAreCountedApart)
     EXPECT_EQ(errorsFor(3e-4).tooDeep, 1u);
 }
 
+// They are left out of the figures of t, and so are their rays.
+TEST(Metrics, TiesDoNotDiluteTheOthers)
+{
+    HitErrors tie, error;
+    tie.rays = tie.ties = 3;
+    error.rays = 1, error.rmse = 0.2, error.rmseTexels = 4.;
+    const HitErrors both = together(std::vector<HitErrors>{tie, error});
+    EXPECT_DOUBLE_EQ(both.rmse, 0.2);
+    EXPECT_DOUBLE_EQ(both.rmseTexels, 4.);
+}
+
 TEST(Metrics, RaisingTheSurfaceIsExact)
 {
     std::mt19937 random(3);

@@ -139,6 +139,7 @@ TEST(StateJson, PresetsOfTheProgramAreSound)
 TEST(StateJson, PresetHoldsNoFiles)
 {
     const std::string text = toPresetJson(unusualState());
+    EXPECT_EQ(text.find("\"name\""), std::string::npos); // it would rename the material it is laid on
     EXPECT_EQ(text.find("height.png"), std::string::npos);
     const auto read = fromJson(State(), text, "/", "preset");
     ASSERT_TRUE(read);

@@ -109,6 +109,47 @@ TEST(StoredMap, FloatsKeepTheirValueAndRootsTheirSide)
     }
 }
 
+// The apex of a cone never sinks below its texel; heights of 8 and 16 bits stay what they are, or searches would drift from the surface.
+TEST(StoredMap, ApexesOfConesStayOnTheirTexels)
+{
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> unit(0.f, 1.f);
+    std::vector<float> codes, heights;
+    for (int code = 0; code < 65536; ++code)
+        codes.push_back(float(code) / 65535.f);
+    for (int code = 0; code < 256; ++code)
+        codes.push_back(float(code) / 255.f);
+    for (int i = 0; i < 20000; ++i)
+        heights.push_back(unit(random));
+    const auto storedIn = [](const MapRow& row, const std::vector<float>& apexes, int bits) {
+        BakedMap map{{floatImage(int(apexes.size()), 1, 2)}};
+        for (std::size_t i = 0; i < apexes.size(); ++i)
+            floats(map.levels[0])[2 * i] = apexes[i];
+        return storedMap(row, map, bits);
+    };
+    for (const char* key : {"cone", "cone-relaxed", "cone-robust"}) {
+        const BakedMap exact = storedIn(*findMap(key), codes, 16);
+        ASSERT_EQ(exact.scale[0], 1.f);
+        for (std::size_t i = 0; i < codes.size(); ++i)
+            ASSERT_EQ(exact.levels[0].value(int(i), 0, 0), codes[i]) << key;
+        for (const int bits : {8, 16}) {
+            const BakedMap above = storedIn(*findMap(key), heights, bits);
+            for (std::size_t i = 0; i < heights.size(); ++i)
+                ASSERT_GE(above.levels[0].value(int(i), 0, 0), heights[i]) << key << ' ' << bits;
+        }
+    }
+}
+
+TEST(StoredMap, CancelledItStops)
+{
+    const BakedMap map = mapOf({1.f, 0.5f});
+    std::stop_source stop;
+    const Progress progress{{}, stop.get_token()};
+    EXPECT_EQ(storedMap(*findMap("pyramid"), map, 16, progress).levels[0].value(0, 0, 0), 1.f);
+    stop.request_stop();
+    EXPECT_EQ(storedMap(*findMap("pyramid"), map, 16, progress).levels[0].value(0, 0, 0), 0.f) << "nothing was written any more";
+}
+
 TEST(StoredMap, AConstantZeroAndNanStayFinite)
 {
     for (const ChannelRule& rule : kRules)

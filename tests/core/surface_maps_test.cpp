@@ -32,6 +32,54 @@ Parameters atDepth()
     return parameters;
 }
 
+// What horizonSines defines, towards azimuth 3 or 5 of 8, whose lines move by shorter / longer texels across per texel along: in whole
+// numbers, so that nothing but the heights is rounded.
+struct DiagonalHorizon {
+    const HeightField& field;
+    bool alongU = field.width() >= field.height();
+    int length = alongU ? field.width() : field.height(), width = alongU ? field.height() : field.width();
+    int shear; // 1 / length texels across per texel along
+    bool backward;
+
+    DiagonalHorizon(const HeightField& f, int index) : field(f)
+    {
+        const int u = -1, v = index == 3 ? 1 : -1;
+        shear = (alongU ? v : u) * width;
+        backward = (alongU ? u : v) < 0;
+    }
+    double texel(int k, int across) const
+    {
+        const int along = backward ? length - 1 - k : k;
+        return double(alongU ? field.texel(along, across) : field.texel(across, along));
+    }
+    // n / length as whole texels and a share of one
+    std::pair<int, double> parts(int n) const
+    {
+        const int rest = (n % length + length) % length;
+        return {(n - rest) / length, double(rest) / length};
+    }
+    double height(int line, int k) const
+    {
+        const auto [low, share] = parts(line * length + k * shear);
+        return (1. - share) * texel(k, low) + share * texel(k, low + 1);
+    }
+    double slope(int line, int k) const
+    {
+        double steepest = -1e9;
+        for (int far = k + 1; far < 2 * length; ++far)
+            steepest = std::max(steepest, (height(line, far) - height(line, k)) / (far - k));
+        return steepest;
+    }
+    double sine(int x, int y) const
+    {
+        const int along = alongU ? x : y, k = backward ? length - 1 - along : along;
+        const auto [line, share] = parts((alongU ? y : x) * length - k * shear);
+        const double between = (1. - share) * slope(line, k) + (share > 0. ? share * slope(line + 1, k) : 0.);
+        const double tangent = std::max(0., double(kDepth) * between * length / std::numbers::sqrt2);
+        return tangent / std::hypot(1., tangent);
+    }
+};
+
 double stored(const BakedMap& map, int x, int y, int index)
 {
     return double(map.levels[0].value(x, index / 4 * (map.levels[0].height / map.slices) + y, index % 4));
@@ -64,6 +112,24 @@ TEST(Horizon, AlongTheAxesItIsTheHighestTexel)
                         ASSERT_NEAR(stored(map, x, y, index), tangent / std::hypot(1., tangent), 1e-5)
                             << width << 'x' << height << ' ' << x << ',' << y << " azimuth " << index;
                     }
+            }
+        }
+}
+
+TEST(Horizon, AlongDiagonalsOfOblongTilesLinesAreFoundWhereTheyWereSwept)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> unit(0.f, 1.f);
+    for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp})
+        for (const auto [width, height] : {std::array{64, 32}, {32, 64}, {48, 32}}) {
+            const HeightField field = fieldOf(
+                width, height, [&](int, int) { return unit(random); }, wrap);
+            for (const int index : {3, 5}) {
+                const std::vector<float> sines = horizonSines(field, kDepth, index, 8);
+                const DiagonalHorizon horizon(field, index);
+                for (int n = 0; n < width * height; ++n)
+                    ASSERT_NEAR(double(sines[std::size_t(n)]), horizon.sine(n % width, n / width), 1e-5)
+                        << width << 'x' << height << ' ' << n % width << ',' << n / width << " azimuth " << index;
             }
         }
 }

@@ -61,12 +61,16 @@ TEST(Cli, WrongUsageIsTwo)
 {
     TestFolder folder("usage");
     const std::string out = "-o " + (folder / "x.png");
-    for (const std::string& arguments : std::vector<std::string>{std::string("render ") + kSource, "render " + out,
-             "render " + kSource + out + " --size 10", "render " + kSource + out + " --view sideways",
-             "render " + kSource + out + " --technique magic", "render " + kSource + out + " --set depth=9",
-             "render " + kSource + out + " --set deep=1", "render " + kSource + out + " --camera pitch=100",
-             "render " + kSource + out + " --nonsense", "render " + kSource + "-o x.gif", "bake " + kSource + out + " --map none",
-             "export " + kSource + out + " --target none", "describe nothing", std::string("no-such-command")}) {
+    for (const std::string& arguments :
+        std::vector<std::string>{std::string("render ") + kSource, "render " + out, "render " + kSource + out + " --size 10",
+            "render " + kSource + out + " --view sideways", "render " + kSource + out + " --technique magic",
+            "render " + kSource + out + " --set depth=9", "render " + kSource + out + " --set deep=1",
+            "render " + kSource + out + " --camera pitch=100", "render " + kSource + out + " --nonsense", "render " + kSource + "-o x.gif",
+            "bake " + kSource + out + " --map none", "export " + kSource + out + " --target none",
+            "export " + kSource + "--target gltf -o " + (folder / "x.gltf"), "render " + kSource + out + " --view nosuch --views normal",
+            "render " + kSource + "-o x.exr --views normal,normal", "render " + kSource + out + " --height a.png --depth-map b.png",
+            "bake " + kSource + out + " --map cone --bits 32", "bake " + kSource + "--map normal -o x.jpg",
+            "bake " + kSource + out + " --map cell-cone --bits 8", "describe nothing", std::string("no-such-command")}) {
         const ProgramRun run = runRelievo(arguments);
         EXPECT_EQ(run.exitCode, 2) << arguments << run.err;
         EXPECT_FALSE(run.err.empty()) << arguments;
@@ -106,6 +110,8 @@ TEST(Cli, RenderWritesPngAndExr)
     EXPECT_EQ(json::parse(run.out)["width"], 64);
     run = runRelievo("render " + kSource + "-o " + (folder / "a.exr") + " --size 64x48 --views shaded,depth,fetches");
     EXPECT_EQ(run.exitCode, 0) << run.err;
+    for (const char* channel : {"shaded.R", "depth.R", "fetches.R"}) // the first too
+        EXPECT_NE(relievo::readText(folder / "a.exr")->find(channel), std::string::npos) << channel;
     const ProgramRun info = runRelievo("info " + (folder / "a.exr") + " --json");
     EXPECT_EQ(info.exitCode, 0) << info.err;
 }
@@ -215,7 +221,7 @@ TEST(Cli, BakeWritesEveryMapWithItsScale)
     ASSERT_EQ(runRelievo("bake sample:bricks@48 --map normal -o " + (folder / "a_normal.png")).exitCode, 0);
     for (std::size_t i = 0; i < relievo::kMaps.size(); ++i) {
         const relievo::MapRow& row = relievo::kMaps[i];
-        const std::string bits = std::array{"8", "16", "32"}[i % 3];
+        const std::string bits = row.form == relievo::MapForm::Codes ? "16" : std::array{"8", "16", "32"}[i % 3];
         const std::string file = folder / (std::string(row.key) + (bits == "32" ? ".exr" : ".png"));
         const ProgramRun run = runRelievo("bake sample:bricks@48 --json --normal " + (folder / "a_normal.png") + " --map "
             + std::string(row.key) + " --bits " + bits + " -o " + file);

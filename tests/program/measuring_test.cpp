@@ -4,6 +4,7 @@
 #include "core/file.h"
 #include "tests/program/run.h"
 #include <algorithm>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +42,52 @@ TEST(Measuring, ReportInAllForms)
     run = runRelievo("report " + kSource + "--no-pictures -o " + (folder / "r.csv") + options);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_TRUE(relievo::readText(folder / "r.csv")->starts_with("technique,setting,field,view,rays,wrong,ties,meanFetches,"));
+}
+
+// The pictures are of a filling plane, whatever the project's mesh and its first pane's overrides are.
+TEST(Measuring, PicturesAreOfThePlaneAtFullResolution)
+{
+    TestFolder folder("plane");
+    std::ofstream(folder / "p.relievo")
+        << R"({"relievo":1,"mesh":"sphere","panes":[{"technique":"relief","overrides":{"heightMips":true,"tiling":1}}]})";
+    const auto flip = [&](const std::string& state) {
+        const ProgramRun run
+            = runRelievo("report " + kSource + state + "--fast --rays 20 --techniques parallax --quiet -o " + (folder / "r.json"));
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return json::parse(*relievo::readText(folder / "r.json"))["pictures"].back()["flip"].get<double>();
+    };
+    const double wanted = flip("");
+    EXPECT_NEAR(flip("--preset " + (folder / "p.relievo") + ' '), wanted, 1e-6);
+    const auto error = [&](const std::string& state) {
+        const ProgramRun run = runRelievo("tune " + kSource + state + "--metric pixels --max-error 100 --rays 20 --techniques flat --json");
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return json::parse(run.out)["error"].get<double>();
+    };
+    EXPECT_NEAR(error("--mesh sphere "), error(""), 1e-6);
+}
+
+TEST(Measuring, CompareLooksAtFullResolution)
+{
+    TestFolder folder("overrides");
+    std::ofstream(folder / "p.relievo") << R"({"relievo":1,"panes":[{"technique":"relief","overrides":{"heightMips":true}}]})";
+    const auto psnr = [&](const std::string& state) {
+        const ProgramRun run
+            = runRelievo("compare hard:bricks@512 --set tiling=8 " + state + "--techniques parallax --json -o " + (folder / "s.png"));
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return json::parse(run.out)["techniques"][0]["psnr"].get<double>();
+    };
+    EXPECT_NEAR(psnr("--preset " + (folder / "p.relievo") + ' '), psnr(""), 1e-6);
+}
+
+TEST(Measuring, QuotesInNamesStayInTheirField)
+{
+    TestFolder folder("quotes");
+    ASSERT_EQ(runRelievo("render sample:bricks@16 --view depth --size 16x16 -o " + (folder / "plain.png")).exitCode, 0);
+    fs::rename(folder / "plain.png", folder / "we\"ird_height.png");
+    const ProgramRun run
+        = runRelievo("report '" + (folder / "we\"ird_height.png") + "' --rays 5 --no-pictures --techniques flat -o " + (folder / "r.csv"));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_NE(relievo::readText(folder / "r.csv")->find("we\"\"ird_height.png\","), std::string::npos);
 }
 
 TEST(Measuring, ReportOnAMesh)
@@ -166,6 +213,10 @@ TEST(Measuring, TuneWithoutAnAnswerIsThree)
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_NE(run.out.find("Relief"), std::string::npos); // the best there is
     EXPECT_FALSE(fs::exists(folder / "p.relievo"));
+    const ProgramRun best
+        = runRelievo("tune " + kSource + "--metric flip --max-error 0.0001 --max-missed 5 --techniques relief --rays 100");
+    EXPECT_EQ(best.exitCode, 3);
+    EXPECT_EQ(best.out.find(" -  "), std::string::npos) << best.out; // not a setting whose error nobody asked for
     EXPECT_EQ(runRelievo("tune " + kSource + "--techniques relief --max-error 0.5 --max-fetches 1").exitCode, 3);
 }
 
@@ -201,6 +252,7 @@ TEST(Measuring, WrongInputIsToldInOneSentence)
             {"report " + kSource + out + " --size 64", 2}, {"report " + kSource + out + " --rays 0", 2}, {"report hard:nothing" + out, 1},
             {"tune " + kSource, 2}, {"tune " + kSource + "--max-error -1", 2}, {"tune " + kSource + "--max-error 1 --metric taste", 2},
             {"tune " + kSource + "--max-error 1 --max-missed 101", 2}, {"tune " + kSource + "--max-error 1 -o x.png", 2},
+            {"tune " + kSource + "--max-error nan", 2}, {"tune " + kSource + "--max-error 1 --max-missed nan", 2},
             {"tune none.png --max-error 1", 1}, {"compare " + kSource, 2}, {"compare " + kSource + "-o x.jpg", 2},
             {"compare " + kSource + sheet + " --techniques relief,magic", 2}, {"compare none.png" + sheet, 1}}) {
         const ProgramRun run = runRelievo(arguments);

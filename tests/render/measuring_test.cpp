@@ -122,6 +122,23 @@ TEST(Shadows, OfExactTechniquesAreThoseOfManySteps)
         }
 }
 
+// On level ground nothing stands in the light's way, however few halvings tell a ray that got through from one that did not.
+TEST(Shadows, LevelGroundIsLit)
+{
+    Bench bench("hard:low@8");
+    for (const TechniqueRow& row : kTechniques)
+        for (const int halvings : {0, 4, 8}) {
+            if (!row.searches || row.file.empty())
+                continue;
+            State view = bench.with(std::string(row.key).c_str(), 30.);
+            view.parameters.shadows = true;
+            view.parameters.refineSteps = halvings;
+            const auto shadow = drawPicture(bench.renderer, view, 0, bench.resources, "shadow", 40, 30, 1, true);
+            ASSERT_TRUE(shadow);
+            EXPECT_GT(shadow->value(20, 15, 0), 0.5f) << row.key << ' ' << halvings;
+        }
+}
+
 TEST(PictureErrors, NeedsAHeightMap)
 {
     Bench bench("hard:low@8");

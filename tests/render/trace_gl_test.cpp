@@ -91,6 +91,26 @@ TEST(TraceGl, RaysThatAreNotFiniteAreAnsweredAlike)
     EXPECT_TRUE((*hits)[1].found);
 }
 
+// So far out that floats no longer tell texels apart: the answer is one all the same.
+TEST(TraceGl, RaysFarOutAreAnswered)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    std::vector<float> heights(1024 * 4);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] = float(i % 251) / 255.f;
+    const HeightField field(1024, 4, heights, Wrap::Repeat, 32);
+    const std::vector<SearchRay> rays{{{1e36, 0.5}, {0.1, 0.1}, 1.}, {{0.5, -1e36}, {0.1, 0.1}, 1.}};
+    for (const TechniqueRow& row : kTechniques) {
+        if (row.file.empty())
+            continue;
+        const auto hits = traceRaysOnGpu(row.key, Parameters(), &field, rays);
+        ASSERT_TRUE(hits);
+        for (const SearchHit& hit : *hits)
+            EXPECT_TRUE(hit.t >= 0. && hit.t <= 1.) << row.key << hit.t;
+    }
+}
+
 TEST(TraceGl, ReferenceIsCpuOnly)
 {
     const auto context = WindowlessContext::create();
