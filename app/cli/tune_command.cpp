@@ -154,6 +154,14 @@ std::string percent(double share)
     return figure(100. * share);
 }
 
+// By error; one that missed too much was not asked for it: those by what they miss.
+bool isBetter(const Candidate& a, const Candidate& b)
+{
+    if (std::isnan(a.error) != std::isnan(b.error))
+        return std::isnan(b.error);
+    return std::isnan(a.error) ? a.missed < b.missed : a.error < b.error;
+}
+
 // The candidates worth printing: those up to the chosen one; when there is none, of each curve the one with the least error.
 std::vector<const Candidate*> shown(const Tuned& tuned)
 {
@@ -169,7 +177,7 @@ std::vector<const Candidate*> shown(const Tuned& tuned)
         const auto same = std::ranges::find(list, series, [&](const Candidate* c) { return tuned.plan.settings[c->setting].series; });
         if (same == list.end())
             list.push_back(&candidate);
-        else if (candidate.error < (*same)->error || std::isnan((*same)->error))
+        else if (isBetter(candidate, **same))
             *same = &candidate;
     }
     return list;

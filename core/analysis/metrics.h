@@ -37,7 +37,8 @@ struct HitErrors {
 HitErrors compareHits(
     const HeightField& field, std::span<const SearchRay> rays, std::span<const SearchHit> hits, std::span<const SearchHit> exact);
 
-// Several sets as one: counts add, roots of mean squares are weighted by rays that are no ties, p99 is the mean of those (weighted), maxima are kept.
+// Several sets as one: counts add, roots of mean squares are weighted by rays that are no ties, p99 is the mean of those (weighted), maxima
+// are kept.
 HitErrors together(std::span<const HitErrors> sets);
 
 } // namespace relievo

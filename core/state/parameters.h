@@ -116,7 +116,8 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
     {&Parameters::refineSteps, "refineSteps", "Refining steps", Group::Search, 0.f, 16.f, "", "technique", "",
         "Halvings that follow the coarse hit."},
     {&Parameters::leapSteps, "leapSteps", "Most leaps", Group::Search, 1.f, 4096.f, "", "technique", "",
-        "Steps from cone to cone (or ball to ball) before the search gives up; few of them stop short at grazing views."},
+        "Steps from cone to cone (or ball to ball) before the search gives up; few of them stop short at grazing views and darken "
+        "self-shadows."},
     {&Parameters::doublePrecision, "doublePrecision", "Double precision", Group::Search, 0.f, 1.f, "", "technique", "",
         "20 linear steps and 5 halvings instead of 10 and 6 (Policarpo 2004)."},
     {&Parameters::lastBracket, "lastBracket", "Halve last step only", Group::Search, 0.f, 1.f, "", "technique", "",

@@ -214,7 +214,7 @@ TEST(Measuring, TuneWithoutAnAnswerIsThree)
     EXPECT_NE(run.out.find("Relief"), std::string::npos); // the best there is
     EXPECT_FALSE(fs::exists(folder / "p.relievo"));
     const ProgramRun best
-        = runRelievo("tune " + kSource + "--metric flip --max-error 0.0001 --max-missed 5 --techniques relief --rays 100");
+        = runRelievo("tune sample:bricks@64 --metric flip --max-error 0.0001 --max-missed 5 --techniques relief --rays 100");
     EXPECT_EQ(best.exitCode, 3);
     EXPECT_EQ(best.out.find(" -  "), std::string::npos) << best.out; // not a setting whose error nobody asked for
     EXPECT_EQ(runRelievo("tune " + kSource + "--techniques relief --max-error 0.5 --max-fetches 1").exitCode, 3);
