@@ -81,13 +81,48 @@ Expected<void> writeThrough(const fs::path& file, std::span<const std::byte> byt
     const Temporary open{{}, handle};
     return writeAll(handle, bytes) ? Expected<void>() : writeFailure(file);
 }
+
+// Where the file's links lead, though nothing need be there yet.
+Expected<fs::path> targetOf(fs::path file)
+{
+    constexpr int kMostLinks = 40; // as the system follows
+    std::error_code code;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(file, code)); ++links) {
+        if (links == kMostLinks) {
+            errno = ELOOP;
+            return writeFailure(file);
+        }
+        file = file.parent_path() / fs::read_symlink(file, code);
+    }
+    return file;
+}
+
+// mkstemp makes files private: a saved file keeps the old one's rights, a new one gets those that any new file would get.
+mode_t modeFor(const fs::path& target)
+{
+    struct stat old = {};
+    if (::stat(target.c_str(), &old) == 0)
+        return old.st_mode & 0777;
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+}
 } // namespace
 
 fs::path absolutePath(const fs::path& file)
 {
     std::error_code code;
     const fs::path path = fs::absolute(file, code);
-    return code ? file : path.lexically_normal();
+    if (code)
+        return file;
+    fs::path plain;
+    for (const fs::path& part : path)
+        if (part == "..") { // the parent of where a link leads, not of the link
+            const fs::path above = fs::weakly_canonical(plain / part, code);
+            plain = code ? plain.parent_path() : above;
+        } else if (!part.empty() && part != ".")
+            plain /= part;
+    return plain;
 }
 
 Expected<std::string> readText(const fs::path& file, std::size_t limit)
@@ -107,8 +142,10 @@ Expected<void> writeAtomically(const fs::path& file, std::span<const std::byte> 
         return failure(file.string(), "this is a folder, not a file", "Name a file");
     if (fs::exists(status) && !fs::is_regular_file(status))
         return writeThrough(file, bytes);
-    const fs::path target = fs::is_regular_file(status) ? fs::canonical(file, code) : file;
-    std::string name = target.string() + ".XXXXXX";
+    const Expected<fs::path> target = targetOf(file);
+    if (!target)
+        return tl::unexpected(target.error());
+    std::string name = (target->parent_path() / ".relievo-XXXXXX").string(); // short, whatever the file's name
     Temporary temporary;
     temporary.handle = ::mkstemp(name.data());
     if (temporary.handle < 0)
@@ -116,12 +153,9 @@ Expected<void> writeAtomically(const fs::path& file, std::span<const std::byte> 
     temporary.path = name;
     if (!writeAll(temporary.handle, bytes))
         return writeFailure(file);
-    // mkstemp makes files private; a saved file gets the rights that any new file would get.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(temporary.handle, 0666 & ~mask) != 0 || ::fsync(temporary.handle) != 0)
+    if (::fchmod(temporary.handle, modeFor(*target)) != 0 || ::fsync(temporary.handle) != 0)
         return writeFailure(file);
-    if (::rename(name.c_str(), target.c_str()) != 0)
+    if (::rename(name.c_str(), target->c_str()) != 0)
         return writeFailure(file);
     temporary.path.clear();
     return {};

@@ -10,7 +10,8 @@
 
 namespace relievo {
 
-// `file` from the root on, without dots; as it was given when there is no working folder.
+// `file` from the root on, without "." and ".." (which is the parent of where a link leads); as it was given when there is no
+// working folder.
 std::filesystem::path absolutePath(const std::filesystem::path& file);
 
 // Errors say whether the file is missing, a folder, a pipe or device, unreadable or over `limit` bytes.
@@ -18,7 +19,8 @@ Expected<std::string> readText(const std::filesystem::path& file, std::size_t li
 Expected<std::vector<std::byte>> readBytes(const std::filesystem::path& file, std::size_t limit = std::size_t(2) << 30);
 
 // The old file stays whole until the new one is: disk full, no permission and a missing folder leave it as it was and no litter.
-// A symbolic link stays one: its target is replaced. Devices and pipes (/dev/stdout, /dev/null) are written to, never replaced.
+// The new file has the rights of the old one. A symbolic link stays one: its target is replaced, or made. Devices and pipes (/dev/stdout,
+// /dev/null) are written to, never replaced.
 Expected<void> writeAtomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
 Expected<void> writeAtomically(const std::filesystem::path& file, std::string_view text);
 

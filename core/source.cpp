@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/source.h"
 #include "core/analysis/hard_cases.h"
+#include "core/file.h"
 #include "core/image/samples.h"
 #include "core/state/presets.h"
 #include "core/text.h"
@@ -137,7 +138,7 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     if (source.starts_with("hard:"))
         return openHardCase(std::string_view(source).substr(5), base);
     std::error_code code;
-    const fs::path path = fs::absolute(source, code).lexically_normal();
+    const fs::path path = absolutePath(source);
     if (source.empty() || !fs::exists(path, code))
         return failure(source.empty() ? "SOURCE" : source, "there is no such file or folder", "Check the path");
     if (isProjectFile(path)) {
@@ -175,14 +176,14 @@ namespace {
 // Makes the bound maps that the panes' techniques search with and that are not there; forgets the others.
 Expected<void> loadBounds(const State& state, Resources& resources, const Progress& progress)
 {
-    std::map<std::string, Resources::Bound, std::less<>> bounds;
+    std::map<Resources::BoundKey, Resources::Bound> bounds;
     for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
         const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
         if (!technique || technique->bound.empty() || !resources.material->height)
             continue;
         if (const auto made = makeBound(resources, *technique, effectiveParameters(state, pane), progress); !made)
             return made;
-        const std::string key(technique->bound);
+        const Resources::BoundKey key = boundKey(*technique, effectiveParameters(state, pane));
         bounds[key] = resources.bounds[key];
     }
     resources.bounds = std::move(bounds);
@@ -191,14 +192,18 @@ Expected<void> loadBounds(const State& state, Resources& resources, const Progre
 
 } // namespace
 
+Resources::BoundKey boundKey(const TechniqueRow& technique, const Parameters& parameters)
+{
+    return {std::string(technique.bound), wrapOf(parameters)};
+}
+
 std::shared_ptr<const SearchTexture> boundFor(const Resources& resources, const TechniqueRow& technique, const Parameters& parameters)
 {
-    const auto found = resources.bounds.find(technique.bound);
+    const auto found = resources.bounds.find(boundKey(technique, parameters));
     if (found == resources.bounds.end() || !resources.material || !resources.material->height)
         return nullptr;
     const Resources::Bound& bound = found->second;
-    const bool fits = bound.heights == resources.material->height->identity() && bound.wrap == wrapOf(parameters)
-        && (bound.allLevels || !parameters.heightMips);
+    const bool fits = bound.heights == resources.material->height->identity() && (bound.allLevels || !parameters.heightMips);
     return fits ? bound.texture : nullptr;
 }
 
@@ -210,7 +215,7 @@ Expected<void> makeBound(Resources& resources, const TechniqueRow& technique, co
     auto texture = searchTexture(technique.bound, field, parameters, parameters.heightMips, progress);
     if (!texture)
         return tl::unexpected(texture.error());
-    resources.bounds[std::string(technique.bound)] = {std::move(*texture), field.identity(), field.wrap(), parameters.heightMips};
+    resources.bounds[boundKey(technique, parameters)] = {std::move(*texture), field.identity(), parameters.heightMips};
     return {};
 }
 

@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace relievo {
 
@@ -25,14 +26,14 @@ struct Resources {
     std::shared_ptr<const Material> material;
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Environment> environment;
-    // Bound maps of the techniques in use, by row of kMaps, and what they were made from.
+    // Bound maps of the techniques in use, by row of kMaps and wrap, and what they were made from.
     struct Bound {
         std::shared_ptr<const SearchTexture> texture;
         std::shared_ptr<const void> heights; // HeightField::identity
-        Wrap wrap = Wrap::Repeat;
         bool allLevels = false;
     };
-    std::map<std::string, Bound, std::less<>> bounds;
+    using BoundKey = std::pair<std::string, Wrap>; // two panes may wrap differently
+    std::map<BoundKey, Bound> bounds;
     // Of the picture about to be drawn, for the error view on a mesh; null: that view measures the search alone.
     std::shared_ptr<const SeenDistances> seen;
     // What the State named when these were loaded: decides what must be loaded again.
@@ -58,6 +59,8 @@ Pose poseOf(const Mesh& mesh, const Parameters& parameters);
 // The wrap mode that the parameter `wrap` stands for.
 Wrap wrapOf(const Parameters& parameters);
 
+// Under which the bound map of `technique` stands in Resources::bounds.
+Resources::BoundKey boundKey(const TechniqueRow& technique, const Parameters& parameters);
 // The bound map of `technique`, when it fits the height map and the parameters; else nullptr: such a map is made anew, never used.
 // Techniques without one: nullptr too.
 std::shared_ptr<const SearchTexture> boundFor(const Resources& resources, const TechniqueRow& technique, const Parameters& parameters);

@@ -30,8 +30,9 @@ Expected<SeenDistances> exactDistances(
     const Parameters parameters = effectiveParameters(state, pane);
     const CameraView camera = viewOf(state, resources, width, height);
     Mesh mesh = posed(*resources.mesh, poseOf(*resources.mesh, parameters));
-    for (MeshPart& part : mesh.parts)
-        part.relief = isPlain(*resources.mesh, part, state.part) ? 0.f : part.relief;
+    const std::vector<char> plain = plainParts(*resources.mesh, state.part);
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
+        mesh.parts[i].relief = plain[i] != 0 ? 0.f : mesh.parts[i].relief;
     const auto surface = DisplacedMesh::build(mesh, resources.material->height->withWrap(wrapOf(parameters)), parameters,
         DisplacedMesh::detailFor(*resources.mesh, camera, state.camera.fov, height), progress);
     if (!surface)

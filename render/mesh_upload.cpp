@@ -54,9 +54,10 @@ constexpr std::size_t kVertexTexels = 5, kTriangleTexels = 2;
 std::vector<glm::vec4> prismTexels(const Mesh& mesh, const std::vector<std::uint32_t>& across, std::string_view part)
 {
     std::vector<char> plain(mesh.indices.size() / 3, 0); // by triangle: there the relief ends
-    for (const MeshPart& each : mesh.parts)
-        if (isPlain(mesh, each, part))
-            std::fill_n(plain.begin() + std::ptrdiff_t(each.firstIndex / 3), each.indexCount / 3, char(1));
+    const std::vector<char> isPlain = plainParts(mesh, part);
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
+        if (isPlain[i])
+            std::fill_n(plain.begin() + std::ptrdiff_t(mesh.parts[i].firstIndex / 3), mesh.parts[i].indexCount / 3, char(1));
     const std::vector<glm::vec3> push = pushDirections(mesh);
     std::vector<glm::vec4> texels;
     texels.reserve(1 + kVertexTexels * mesh.vertices.size() + kTriangleTexels * (mesh.indices.size() / 3));
@@ -140,8 +141,7 @@ void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters
 
 bool MeshUpload::has(Parts parts, std::string_view part) const
 {
-    return std::ranges::any_of(
-        m_mesh->parts, [&](const MeshPart& each) { return isPlain(*m_mesh, each, part) == (parts == Parts::Plain); });
+    return std::ranges::count(plainParts(*m_mesh, part), char(parts == Parts::Plain)) > 0;
 }
 
 void MeshUpload::makeVertices()
@@ -170,8 +170,9 @@ constexpr float kCoarseCubes = 96.f;
 
 void MeshUpload::makeCoarse()
 {
-    const glm::vec3 size = m_mesh->boundsMax - m_mesh->boundsMin;
-    CoarseTriangles coarse = coarseTriangles(*m_mesh, std::max({size.x, size.y, size.z}) / kCoarseCubes);
+    const Mesh rest = posed(*m_mesh, poseAt(*m_mesh, -1, 0.f)); // what the bounds are of
+    const glm::vec3 size = rest.boundsMax - rest.boundsMin;
+    CoarseTriangles coarse = coarseTriangles(rest, std::max({size.x, size.y, size.z}) / kCoarseCubes);
     m_coarse = newBuffer();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, *m_coarse);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(coarse.indices.size() * 4), coarse.indices.data(), GL_STATIC_DRAW);
@@ -193,9 +194,10 @@ void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_vie
         makeCoarse();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, coarse ? *m_coarse : *m_indices);
     const std::vector<MeshPart>& all = m_mesh->parts;
+    const std::vector<char> plain = plainParts(*m_mesh, part);
     for (std::size_t i = 0, last = 0; i < all.size(); i = std::max(last, i + 1)) { // neighbours in one call
         std::uint32_t count = 0;
-        for (last = i; last < all.size() && isPlain(*m_mesh, all[last], part) == (parts == Parts::Plain); ++last)
+        for (last = i; last < all.size() && plain[last] == char(parts == Parts::Plain); ++last)
             count += coarse ? m_coarseFirst[last + 1] - m_coarseFirst[last] : all[last].indexCount;
         if (count == 0)
             continue;

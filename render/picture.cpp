@@ -86,7 +86,7 @@ glm::vec2 pixelShift(int k)
 }
 
 Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, const Resources& resources, std::string_view view,
-    int width, int height, int samples, bool linear)
+    int width, int height, int samples, bool linear, bool mayBake)
 {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
@@ -99,7 +99,7 @@ Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t 
     const std::size_t count = std::size_t(width) * std::size_t(height) * 4;
     const auto draw = [&](int i) {
         const glm::vec2 jitter = samples == 1 ? glm::vec2(0.f) : pixelShift(i);
-        return renderer.draw(state, pane, resources, view, {framebuffer.handle(), width, height, linear, 1.f, jitter});
+        return renderer.draw(state, pane, resources, view, {framebuffer.handle(), width, height, linear, 1.f, jitter, false, mayBake});
     };
     if (linear)
         return summed<float, float>(GL_FLOAT, count, samples, draw, width, height).map([&](const auto& sums) {

@@ -23,9 +23,7 @@
 #include <vector>
 
 namespace relievo {
-
 namespace {
-
 std::set<MapKind> presentMaps(const Material& material)
 {
     std::set<MapKind> maps;
@@ -51,7 +49,7 @@ ProgramFeatures withoutRelief(ProgramFeatures features)
 struct Renderer::Impl {
     Uploads uploads;
     MeshUpload mesh;
-    std::map<std::string, Resources::Bound, std::less<>> bounds; // made here
+    std::map<Resources::BoundKey, Resources::Bound> bounds; // made here
     ProgramCache programs;
     std::map<ProgramFeatures, std::string> programNames;
     ShadowMap shadowMap;
@@ -192,7 +190,8 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
         [&](const auto& made) { return !resources.material->height || made.second.heights != resources.material->height->identity(); });
     used.bounds.insert(m->bounds.begin(), m->bounds.end());
     if (target.mayBake) {
-        if (const auto made = m->bounds.find(technique->bound); made != m->bounds.end() && !boundFor(used, *technique, parameters))
+        if (const auto made = m->bounds.find(boundKey(*technique, parameters));
+            made != m->bounds.end() && !boundFor(used, *technique, parameters))
             used.bounds.insert_or_assign(made->first, made->second);
         if (const auto made = makeBound(used, *technique, parameters); !made)
             return made;
@@ -274,14 +273,15 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     return {};
 }
 
-Expected<Measurement> Renderer::measure(const State& state, std::size_t pane, const Resources& resources, float aspect)
+Expected<Measurement> Renderer::measure(const State& state, std::size_t pane, const Resources& resources, float aspect, bool mayBake)
 {
     const int width = aspect >= 1.6f ? 320 : std::max(1, int(200.f * aspect));
     const int height = aspect >= 1.6f ? std::max(1, int(320.f / aspect)) : 200;
     m->measuring.resize(width, height, true);
     State counted = state;
     counted.parameters.wireframe = false;
-    if (const auto drawn = draw(counted, pane, resources, "fetches", {m->measuring.handle(), width, height, true}); !drawn)
+    const Target target{m->measuring.handle(), width, height, true, 1.f, {}, false, mayBake};
+    if (const auto drawn = draw(counted, pane, resources, "fetches", target); !drawn)
         return tl::unexpected(drawn.error());
     m->pixels.resize(std::size_t(width) * std::size_t(height) * 4);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, m->pixels.data());

@@ -40,8 +40,8 @@ public:
     // Alpha is 1 on the mesh and on a plain or environment background, 0 on a transparent one.
     Expected<void> draw(const State& state, std::size_t pane, const Resources& resources, std::string_view view, const Target& target);
 
-    // Mean texture fetches a covered pixel of this view of the material, from a picture of at most 320 x 200.
-    Expected<Measurement> measure(const State& state, std::size_t pane, const Resources& resources, float aspect);
+    // Mean texture fetches a covered pixel of this view of the material, from a picture of at most 320 x 200. mayBake: as of Target.
+    Expected<Measurement> measure(const State& state, std::size_t pane, const Resources& resources, float aspect, bool mayBake = true);
 
     // True when files under RELIEVO_SHADERS changed since the last draw (cheap; ask it from a timer).
     bool shadersChanged() const;

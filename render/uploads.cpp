@@ -289,7 +289,7 @@ void Uploads::bindMaps(
     }
     if (bound && (program.reads("boundMap") || program.reads("cellMap") || program.reads("distanceMap"))) {
         glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-        UploadedBound& uploaded = m_bounds[std::string(boundKey)];
+        UploadedBound& uploaded = m_bounds[{std::string(boundKey), wrap}];
         if (uploaded.map != bound)
             uploaded = {bound, uploadSearchTexture(*bound, wrap)};
         bindSearchTexture(program, uploaded.upload, unit++);

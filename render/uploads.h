@@ -64,7 +64,7 @@ private:
         std::shared_ptr<const SearchTexture> map;
         SearchUpload upload;
     };
-    std::map<std::string, UploadedBound, std::less<>> m_bounds;
+    std::map<Resources::BoundKey, UploadedBound> m_bounds;
     Texture m_environment;
 };
 

@@ -35,9 +35,9 @@ inline constexpr std::size_t kMaxPicturePixels = std::size_t(8192) * 8192;
 
 // One picture of `width` x `height` pixels, RGBA, row 0 at the top: U8 display values, or F32 linear values when `linear`.
 // At most kMaxPicturePixels pixels (memory). samples: pictures with shifted pixel grids that are averaged, 1 to 64. Needs a current
-// context.
+// context. mayBake: as of Target.
 Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, const Resources& resources, std::string_view view,
-    int width, int height, int samples, bool linear);
+    int width, int height, int samples, bool linear, bool mayBake = true);
 
 // traceRays of core/trace on the GPU: the same text of technique `key` on the field's base level. Needs a current context.
 // dialect: the language that the text is compiled as; GLSL ES 3.00 is what WebGL2 runs.

@@ -67,13 +67,16 @@ bool StateOptions::changesState() const
 namespace {
 
 // The maps given by hand. A file that is not there is the user's slip, not a map gone missing.
-Expected<void> setMaps(const StateOptions& options, MapSlots& slots)
+Expected<void> setMaps(const StateOptions& options, Opened& opened)
 {
-    const auto assign = [&](MapKind kind, const std::string& file, bool invert) -> Expected<void> {
+    MapSlots& slots = opened.state.slots;
+    const auto assign = [&](MapKind kind, const std::string& file, bool depth) -> Expected<void> {
         std::error_code code;
         if (!fs::exists(file, code))
             return failure(file, "there is no such file", "Check the path of --" + std::string(row(kind).key));
-        slots[std::size_t(kind)] = {absolutePath(file).string(), Channel::Rgb, invert};
+        MapSlot& slot = slots[std::size_t(kind)] = slotByHand(kind, file, opened.images, opened.warnings);
+        if (kind == MapKind::Height) // the option says which it is, not the name
+            slot.invert = depth;
         return {};
     };
     for (const auto& [key, file] : options.maps)
@@ -131,7 +134,7 @@ Result<Opened> openState(const StateOptions& options, const Progress& progress)
     } else if (!mapGiven) {
         return problem({"there is nothing to open", "SOURCE", "Name a folder, an image, a project or sample:bricks"}, WrongUsage);
     }
-    if (const auto done = setMaps(options, opened.state.slots); !done)
+    if (const auto done = setMaps(options, opened); !done)
         return problem(done.error());
     if (const auto done = applyOptions(options, opened); !done)
         return tl::unexpected(done.error());
@@ -196,10 +199,22 @@ int tell(const Problem& problem)
     return problem.exitCode;
 }
 
+namespace {
+// A set and the material made of it tell the same of a file.
+Warnings once(const Warnings& warnings)
+{
+    Warnings kept;
+    for (const Warning& warning : warnings)
+        if (!std::ranges::count(kept, warning))
+            kept.push_back(warning);
+    return kept;
+}
+} // namespace
+
 void tell(const Warnings& warnings, const Common& common)
 {
     if (!common.quiet)
-        for (const Warning& warning : warnings)
+        for (const Warning& warning : once(warnings))
             std::fprintf(stderr, "%srelievo: warning: %s\n", std::exchange(progressIsShown, false) ? "\n" : "", warning.text.c_str());
 }
 
@@ -211,7 +226,7 @@ void print(const nlohmann::ordered_json& result)
 nlohmann::ordered_json warningsJson(const Warnings& warnings)
 {
     auto list = nlohmann::ordered_json::array();
-    for (const Warning& warning : warnings)
+    for (const Warning& warning : once(warnings))
         list.push_back({{"code", warning.code}, {"text", warning.text}});
     return list;
 }

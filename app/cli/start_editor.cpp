@@ -30,6 +30,17 @@ int execute(std::vector<std::string> arguments)
         {{std::string("the editor cannot be started (") + std::strerror(errno) + ')', editor.string(), "Install it beside relievo"}});
 }
 
+bool isSource(const std::string& word)
+{
+    std::error_code code;
+    return word.empty() || word.front() == '-' || isBuiltInSource(word) || fs::exists(word, code);
+}
+
+int noSuchSource(const std::string& word)
+{
+    return tell({{"there is no such file, folder or command", word, "relievo --help lists the commands"}, WrongUsage});
+}
+
 } // namespace
 
 int startEditor(int argc, char** argv)
@@ -40,11 +51,12 @@ int startEditor(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
+        if (argc > 1 && !isSource(argv[1])) // the first word is the mistake, not what follows it
+            return noSuchSource(argv[1]);
         return app.exit(error) == 0 ? Done : WrongUsage;
     }
-    std::error_code code;
-    if (!options.source.empty() && !isBuiltInSource(options.source) && !fs::exists(options.source, code))
-        return tell({{"there is no such file, folder or command", options.source, "relievo --help lists the commands"}, WrongUsage});
+    if (!isSource(options.source))
+        return noSuchSource(options.source);
     if (!options.changesState())
         return execute(options.source.empty() ? std::vector<std::string>() : std::vector{options.source});
 

@@ -10,13 +10,14 @@
 namespace relievo {
 
 struct Assets::Loaded {
+    State base; // what it was read on
     Opened opened;
     Resources resources;
     std::optional<Error> error;
 };
 
 namespace {
-bool holds(const Material& material, MapKind kind)
+bool hasMap(const Material& material, MapKind kind)
 {
     return kind == MapKind::Height ? material.height.has_value() : material.map(kind) != nullptr;
 }
@@ -26,7 +27,7 @@ std::optional<Error> newMapThatFailed(const State& before, const State& next, co
 {
     for (const MapKindRow& row : kMapKinds) {
         const MapSlot& slot = next.slots[std::size_t(row.kind)];
-        if (slot.empty() || slot == before.slots[std::size_t(row.kind)] || holds(material, row.kind))
+        if (slot.empty() || slot == before.slots[std::size_t(row.kind)] || hasMap(material, row.kind))
             continue;
         for (const Warning& warning : material.warnings)
             if (warning.text.find(slot.file) != std::string::npos)
@@ -65,13 +66,39 @@ Expected<Resources> loadWhatIsThere(const State& state, const DecodedImages& ima
         previous.material = movedAway(state.slots);
     return loadResources(state, images, previous, progress);
 }
+
+bool isWhole(const QString& source)
+{
+    return isProjectFile(source.toStdString()) || source.startsWith("scene:");
+}
+
+// What a SOURCE of maps brings into `state`; it was read on `base`.
+void takeMaps(State& state, const State& base, const State& opened, bool builtIn)
+{
+    state.slots = opened.slots;
+    state.name = opened.name;
+    if (builtIn) // a sample brings its depth
+        state.parameters.depth = opened.parameters.depth;
+    if (opened.mesh != base.mesh) // a mesh with textures
+        state.mesh = opened.mesh, state.part = opened.part, state.panes = opened.panes;
+}
+
+constexpr auto kNone = [](const auto&) { return false; };
 } // namespace
 
 Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObject(parent), m_document(document), m_messages(messages)
 {
     connect(&document, &Document::changed, this, &Assets::follow);
     connect(&m_background, &Background::failed, this, [this](const QString& what) {
-        m_messages.set("load", Error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"});
+        const Error error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"};
+        m_jobs.empty() ? m_messages.set("follow", error) : refuse(error);
+        jobEnded();
+    });
+    connect(&m_background, &Background::busyChanged, this, [this](bool busy) {
+        if (busy || m_jobs.empty())
+            return;
+        m_jobs.clear(); // cancelled
+        Q_EMIT refused();
     });
 }
 
@@ -80,7 +107,7 @@ Assets::Loaded Assets::open(const std::string& source, const State& base, const 
     const auto part = [&](float from, float to) {
         return Progress{[&progress, from, to](float share) { progress.at(from + (to - from) * share); }, progress.stop};
     };
-    Loaded result;
+    Loaded result{base, {}, {}, {}};
     auto opened = openSource(source, base, part(0.f, 0.6f));
     if (!opened) {
         result.error = opened.error();
@@ -97,102 +124,200 @@ Assets::Loaded Assets::open(const std::string& source, const State& base, const 
 
 void Assets::openDocument(const QString& source)
 {
-    openDocument(source, m_document.state());
+    const bool whole = isWhole(source); // else the maps alone are replaced, also those of another opening of maps
+    enqueue(Opening{source, m_document.state(), {}}, [whole](const Job& job) { return !job.change && (whole || !job.whole); });
 }
 
 void Assets::openDocument(const QString& source, const State& base, bool counted)
 {
-    m_background.start([this, source, base, counted, previous = m_resources](const Progress& progress) -> Background::Then {
-        const Loaded loaded = open(source.toStdString(), base, previous, progress);
-        return [this, source, counted, loaded] {
-            if (loaded.error)
-                return refuse(*loaded.error);
-            m_messages.set("opened", loaded.opened.warnings);
-            take(loaded.resources);
-            const bool project = isProjectFile(source.toStdString());
-            m_document.start(loaded.opened.state, project ? QFileInfo(source).absoluteFilePath() : QString());
-            if (counted && !isBuiltInSource(source.toStdString()))
-                addRecentFile(QFileInfo(source).absoluteFilePath());
-        };
-    });
+    enqueue(Opening{source, m_document.state(), base, counted}, [](const Job& job) { return !job.change; });
 }
 
 void Assets::openState(const State& state, const Warnings& warnings)
 {
-    m_background.start([this, state, warnings, previous = m_resources](const Progress& progress) -> Background::Then {
-        const auto resources = loadWhatIsThere(state, {}, previous, progress);
-        return [this, state, warnings, resources] {
-            if (!resources)
-                return refuse(resources.error());
-            m_messages.set("opened", warnings);
-            take(*resources);
-            m_document.start(state, {});
-        };
-    });
+    const auto work = [this, state, warnings, before = m_document.state()](
+                          const State&, const Resources& previous, const Progress& progress) -> Background::Then {
+        Loaded loaded{state, Opened{state, {}, warnings}, {}, {}};
+        if (const auto resources = loadWhatIsThere(state, {}, previous, progress))
+            loaded.resources = *resources;
+        else
+            loaded.error = resources.error();
+        return [this, state, before, loaded] { opened({{}, before, state, false}, loaded); };
+    };
+    enqueue(Job{work, true}, [](const Job& job) { return !job.change; });
 }
 
 void Assets::openInto(const QString& source)
 {
-    if ((m_document.file().isEmpty() && !m_document.isModified()) || isProjectFile(source.toStdString()))
+    if ((m_document.file().isEmpty() && !m_document.isModified()) || isWhole(source))
         return openDocument(source);
-    m_background.start([this, source, base = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
-        const Loaded loaded = open(source.toStdString(), base, previous, progress);
-        return [this, source, loaded] {
-            if (loaded.error)
-                return refuse(*loaded.error);
-            m_messages.set("opened", loaded.opened.warnings);
-            take(loaded.resources);
-            m_document.edit(tr("Open %1").arg(QString::fromStdString(loaded.opened.state.name)), [&](State& state) {
-                state.slots = loaded.opened.state.slots;
-                state.name = loaded.opened.state.name;
-                if (isBuiltInSource(source.toStdString())) // a sample brings its depth
-                    state.parameters.depth = loaded.opened.state.parameters.depth;
-            });
-            if (!isBuiltInSource(source.toStdString()))
-                addRecentFile(QFileInfo(source).absoluteFilePath());
-        };
-    });
+    enqueue(Opening{source, m_document.state(), {}, true, true}, [](const Job& job) { return !job.change && !job.whole; });
 }
 
 void Assets::propose(const QString& text, std::function<void(State&)> change)
 {
-    State next = m_document.state();
-    change(next);
-    if (fits(next))
-        return m_document.edit(text, change);
+    const auto work = [this, text, change](const State& now, const Resources& previous, const Progress& progress) -> Background::Then {
+        State next = now;
+        change(next);
+        const auto resources = loadResources(next, {}, previous, progress);
+        return [this, text, change, next, now, resources] {
+            if (!resources)
+                return refuse(resources.error());
+            if (const auto error = newMapThatFailed(now, next, *resources->material))
+                return refuse(*error);
+            m_messages.clear("load");
+            take(*resources);
+            m_document.edit(text, change);
+        };
+    };
+    const State now = m_document.state();
+    State after = now;
+    change(after);
+    enqueue(Job{work, false, text, change}, [&](const Job& job) { // another shape while one is loading, another file for the same map
+        State both = now;
+        if (job.change)
+            job.change(both);
+        change(both);
+        return job.change && both == after;
+    });
+}
+
+void Assets::enqueue(Job job, const std::function<bool(const Job&)>& pointless)
+{
+    const bool runs = !m_jobs.empty() && !pointless(m_jobs.front());
+    m_jobs.remove_if(pointless);
+    m_jobs.push_back(std::move(job));
+    if (!runs)
+        runNext();
+}
+
+void Assets::enqueue(const Opening& opening, const std::function<bool(const Job&)>& pointless)
+{
+    const auto work = [this, opening](const State& now, const Resources& previous, const Progress& progress) -> Background::Then {
+        const State base = opening.base.value_or(now);
+        const Loaded loaded = open(opening.source.toStdString(), base, previous, progress);
+        return [this, opening, loaded] { opened(opening, loaded); };
+    };
+    enqueue(Job{work, opening.base || isWhole(opening.source)}, pointless);
+}
+
+// Proposals that need no more files are done at once; the first other job starts.
+void Assets::runNext()
+{
+    while (!m_jobs.empty() && m_jobs.front().change) {
+        State next = m_document.state();
+        m_jobs.front().change(next);
+        if (!holds(next))
+            break;
+        const Job job = std::move(m_jobs.front());
+        m_jobs.pop_front();
+        m_messages.clear("load");
+        m_document.edit(job.text, job.change);
+    }
+    if (m_jobs.empty())
+        return check();
+    if (m_background.busy())
+        m_followed.reset(); // is followed again after this
     m_background.start(
-        [this, text, change, next, before = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
-            const auto resources = loadResources(next, {}, previous, progress);
-            return [this, text, change, next, before, resources] {
-                if (!resources)
-                    return refuse(resources.error());
-                if (const auto error = newMapThatFailed(before, next, *resources->material))
-                    return refuse(*error);
-                take(*resources);
-                m_document.edit(text, change);
+        [this, work = m_jobs.front().work, now = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
+            return [this, then = work(now, previous, progress)] {
+                then();
+                jobEnded();
             };
         });
+}
+
+void Assets::jobEnded()
+{
+    if (!m_jobs.empty())
+        m_jobs.pop_front();
+    runNext();
+}
+
+void Assets::opened(const Opening& opening, const Loaded& loaded)
+{
+    if (loaded.error) {
+        refuse(*loaded.error);
+        if (!ready() && !opening.instead) // never an empty window
+            enqueue(Opening{"sample:bricks", m_document.state(), State{}, false, false, loaded.error}, kNone);
+        return;
+    }
+    const bool edited(differences(opening.before, m_document.state()) & ~(Changes(Change::Camera) | Change::Moment));
+    if (edited && askFirst && (opening.base || isWhole(opening.source)))
+        askFirst([this, opening, loaded] { show(opening, loaded, false); });
+    else
+        show(opening, loaded, edited);
+}
+
+void Assets::show(const Opening& opening, const Loaded& loaded, bool edited)
+{
+    const std::string source = opening.source.toStdString();
+    const bool builtIn = isBuiltInSource(source);
+    m_messages.clear("load");
+    if (opening.instead)
+        m_messages.set("load", *opening.instead);
+    m_messages.set("opened", loaded.opened.warnings);
+    take(loaded.resources);
+    const State& next = loaded.opened.state;
+    State present = m_document.state();
+    takeMaps(present, loaded.base, next, builtIn);
+    if (opening.base || isWhole(opening.source))
+        m_document.start(next, isProjectFile(source) ? QFileInfo(opening.source).absoluteFilePath() : QString());
+    else if (opening.asStep || edited)
+        m_document.edit(tr("Open %1").arg(QString::fromStdString(next.name)), [&](State& state) { state = present; });
+    else
+        m_document.start(present, {});
+    if (opening.counted && !builtIn)
+        addRecentFile(QFileInfo(opening.source).absoluteFilePath());
+    check();
 }
 
 void Assets::take(const Resources& resources)
 {
     m_resources = resources;
-    m_messages.clear("load");
     m_messages.set("maps", resources.material->warnings);
     m_messages.set("mesh", resources.mesh->warnings);
     Q_EMIT resourcesChanged();
 }
 
-// Undo, redo and pasted States name other files than those that are loaded.
+Assets::Needs Assets::needsOf(const State& state)
+{
+    Needs needs{state.slots, state.mesh, state.environment, {}};
+    for (std::size_t pane = 0; pane < state.panes.size(); ++pane)
+        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->bound.empty()) {
+            const Parameters parameters = effectiveParameters(state, pane);
+            needs.bounds.emplace_back(technique->bound, wrapOf(parameters), parameters.heightMips);
+        }
+    return needs;
+}
+
+// Undo, redo and pasted States name other files than those that are loaded, another technique searches with another map.
 void Assets::follow(Changes what)
 {
-    if (!what || !ready() || fits(m_document.state()))
+    if (what & ~(Changes(Change::Camera) | Change::Moment | Change::View | Change::Name))
+        check();
+}
+
+void Assets::check()
+{
+    if (!ready() || !m_jobs.empty()) // the last job's end looks again
         return;
-    m_background.start([this, state = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
-        const auto resources = loadWhatIsThere(state, {}, previous, progress);
+    const State& now = m_document.state();
+    if (fits(now)) {
+        m_followed.reset();
+        m_messages.clear("follow");
+        return m_background.cancel(); // it is pointless
+    }
+    if (m_followed == needsOf(now))
+        return;
+    m_followed = needsOf(now);
+    m_background.start([this, now, previous = m_resources](const Progress& progress) -> Background::Then {
+        const auto resources = loadWhatIsThere(now, {}, previous, progress);
         return [this, resources] {
-            if (!fits(m_document.state())) // else it went back to what is loaded
-                resources ? take(*resources) : refuse(resources.error());
+            if (!resources)
+                return m_messages.set("follow", resources.error());
+            take(*resources);
+            check();
         };
     });
 }
@@ -201,12 +326,18 @@ void Assets::refuse(const Error& error)
 {
     if (!cancelled(error))
         m_messages.set("load", error);
+    Q_EMIT refused();
+}
+
+bool Assets::holds(const State& state) const
+{
+    return ready() && m_resources.material->slots == state.slots && m_resources.meshName == state.mesh
+        && m_resources.environmentName == state.environment;
 }
 
 bool Assets::fits(const State& state) const
 {
-    return ready() && m_resources.material->slots == state.slots && m_resources.meshName == state.mesh
-        && m_resources.environmentName == state.environment && boundsFit(state, m_resources);
+    return holds(state) && boundsFit(state, m_resources);
 }
 
 } // namespace relievo

@@ -40,17 +40,20 @@ protected:
     void mouseReleaseEvent(QMouseEvent*) override;
     void mouseDoubleClickEvent(QMouseEvent*) override;
     void keyPressEvent(QKeyEvent*) override;
+    void keyReleaseEvent(QKeyEvent*) override;
+    void focusOutEvent(QFocusEvent*) override;
     void enterEvent(QEnterEvent*) override { update(); }
     void leaveEvent(QEvent*) override { update(); }
 
 private:
     void moveTo(double value);
+    void endStepping();
     double span() const; // px that the handle can move
     SliderScale m_scale;
     double m_value, m_default;
     double m_startValue = 0, m_anchor = 0; // value and position [0, 1] when pressed
     double m_lastX = 0, m_pressX = 0; // px
-    bool m_dragging = false;
+    bool m_dragging = false, m_stepping = false; // by the mouse, by an arrow key that is down
 };
 
 // One of a few: buttons side by side that share a frame.

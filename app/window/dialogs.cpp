@@ -68,23 +68,59 @@ void askWhereToSave(
     dialog->setDefaultSuffix(suffix);
     dialog->setNameFilters({QString("*.%1").arg(suffix)});
     dialog->selectFile(proposal);
-    QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(then));
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, suffix, then = std::move(then)](const QString& file) {
+        if (QFileInfo(file).suffix().compare(suffix, Qt::CaseInsensitive) == 0)
+            return then(file);
+        const QString whole = file + '.' + suffix; // the chooser takes the end of "bricks v1.2" for a suffix
+        if (QFileInfo::exists(whole))
+            askToReplace(parent, whole, [then, whole] { then(whole); });
+        else
+            then(whole);
+    });
     dialog->open();
 }
 
-void askAboutUnsaved(QWidget* parent, const QString& name, std::function<void(Answer)> then)
+namespace {
+QMessageBox* question(QWidget* parent, const char* name, const QString& text, const QString& more)
 {
-    auto* question = new QMessageBox(parent);
-    question->setObjectName("unsaved");
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setText(QObject::tr("Save the changes to \u201c%1\u201d?").arg(name));
-    question->setInformativeText(QObject::tr("Without saving they are lost."));
-    question->setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-    question->setDefaultButton(QMessageBox::Save);
-    QObject::connect(question, &QMessageBox::finished, parent, [then = std::move(then)](int button) {
+    auto* box = new QMessageBox(parent);
+    box->setObjectName(name);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setText(text);
+    box->setInformativeText(more);
+    return box;
+}
+} // namespace
+
+void askToReplace(QWidget* parent, const QString& path, std::function<void()> then)
+{
+    const QFileInfo there(path);
+    auto* box = question(parent, "replace", QObject::tr("Replace \u201c%1\u201d?").arg(there.fileName()),
+        there.isDir() ? QObject::tr("The folder is not empty: files of the same names are written over.")
+                      : QObject::tr("The file exists already."));
+    QPushButton* replace = box->addButton(QObject::tr("Replace"), QMessageBox::AcceptRole);
+    box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+    QObject::connect(replace, &QPushButton::clicked, parent, std::move(then));
+    box->open();
+}
+
+void askAboutUnsaved(QWidget* parent, const QString& name, const QString& alsoLost, std::function<void(Answer)> then)
+{
+    const bool unsaved = !name.isEmpty();
+    auto* box = question(parent, "unsaved", unsaved ? QObject::tr("Save the changes to \u201c%1\u201d?").arg(name) : alsoLost,
+        unsaved ? (QObject::tr("Without saving they are lost.") + ' ' + alsoLost).trimmed() : QString());
+    if (unsaved)
+        box->setDefaultButton(box->addButton(QMessageBox::Save));
+    QPushButton* discard = box->addButton(QMessageBox::Discard);
+    QPushButton* cancel = box->addButton(QMessageBox::Cancel);
+    if (!unsaved) {
+        discard->setText(QObject::tr("Stop it"));
+        box->setDefaultButton(cancel);
+    }
+    QObject::connect(box, &QMessageBox::finished, parent, [then = std::move(then)](int button) {
         then(button == QMessageBox::Save ? Answer::Save : button == QMessageBox::Discard ? Answer::Discard : Answer::Cancel);
     });
-    question->open();
+    box->open();
 }
 
 } // namespace relievo

@@ -18,9 +18,11 @@ bool fits(FileKind kind, const QString& file);
 void askForFile(QWidget* parent, const QString& title, FileKind kind, std::function<void(const QString&)> then);
 void askWhereToSave(
     QWidget* parent, const QString& title, const QString& proposal, const QString& suffix, std::function<void(const QString&)> then);
+// Asks whether what lies at `path` (a file, or files in a folder) may be replaced; `then` runs when it may.
+void askToReplace(QWidget* parent, const QString& path, std::function<void()> then);
 
 enum class Answer { Save, Discard, Cancel };
-// The one modal question: unsaved work of `name` is about to be lost.
-void askAboutUnsaved(QWidget* parent, const QString& name, std::function<void(Answer)> then);
+// The question before work is lost: unsaved work of `name` ("" when all is saved) and what the sentence alsoLost says (or "").
+void askAboutUnsaved(QWidget* parent, const QString& name, const QString& alsoLost, std::function<void(Answer)> then);
 
 } // namespace relievo

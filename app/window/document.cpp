@@ -111,6 +111,7 @@ void Document::start(const State& state, const QString& file)
     m_file = file;
     ++m_gesture;
     replace(state);
+    Q_EMIT started();
     Q_EMIT titleChanged();
 }
 

@@ -57,6 +57,7 @@ public:
 Q_SIGNALS:
     void changed(relievo::Changes what);
     void titleChanged(); // file, name or modified
+    void started(); // another document
     void gestureEnded();
 
 private:

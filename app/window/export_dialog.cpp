@@ -39,6 +39,7 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     : QDialog(parent)
     , m_document(document)
     , m_assets(assets)
+    , m_background(this)
     , m_target(new QComboBox)
     , m_size(new QComboBox)
     , m_help(new QLabel)
@@ -101,10 +102,14 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     layout->addLayout(buttons);
 
     connect(m_target, &QComboBox::currentIndexChanged, this, &ExportDialog::targetChosen);
+    connect(m_out, &QLineEdit::textEdited, this, [this] { m_named = true; });
+    connect(&document, &Document::started, this, &ExportDialog::documentStarted);
     connect(browseButton, &QToolButton::clicked, this, &ExportDialog::browse);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::run);
     connect(&m_background, &Background::progressed, this, [this](float share) { m_progress->setValue(int(share * 1000)); });
+    connect(&m_background, &Background::failed, this,
+        [this](const QString& what) { tell(failure(m_out->text().toStdString(), what.toStdString(), "Nothing usable was written")); });
     connect(&m_background, &Background::busyChanged, this, [this](bool busy) {
         m_export->setEnabled(!busy);
         m_progress->setVisible(busy);
@@ -131,13 +136,39 @@ void ExportDialog::setTarget(int row)
 
 void ExportDialog::setOut(const QString& path)
 {
+    m_named = true;
     m_out->setText(path);
 }
 
 void ExportDialog::targetChosen()
 {
     m_help->setText(qt(target().help));
-    m_out->setText(proposal());
+    m_named = false;
+    propose();
+}
+
+void ExportDialog::propose()
+{
+    if (!m_named)
+        m_out->setText(proposal());
+}
+
+void ExportDialog::documentStarted()
+{
+    m_replaceable.clear();
+    if (busy())
+        return;
+    m_result->hide();
+    propose();
+}
+
+void ExportDialog::showEvent(QShowEvent* event)
+{
+    if (!busy() && !event->spontaneous()) {
+        m_result->hide(); // of the last time
+        propose();
+    }
+    QDialog::showEvent(event);
 }
 
 void ExportDialog::browse()
@@ -145,16 +176,32 @@ void ExportDialog::browse()
     if (target().suffix.empty())
         askForFile(this, tr("Export to folder"), FileKind::Folder, [this](const QString& folder) { setOut(folder); });
     else
-        askWhereToSave(this, tr("Export to"), m_out->text(), qt(target().suffix).mid(1), [this](const QString& file) { setOut(file); });
+        askWhereToSave(this, tr("Export to"), m_out->text(), qt(target().suffix).mid(1), [this](const QString& file) {
+            setOut(file);
+            m_replaceable.append(QFileInfo(file).absoluteFilePath()); // the chooser has asked
+        });
 }
 
 void ExportDialog::run()
 {
-    if (!m_assets.ready() || busy())
+    if (busy())
         return;
+    if (!m_assets.ready() || !m_assets.upToDate())
+        return tell(failure(m_document.name().toStdString(), "its files are not loaded", "Wait until they are, or clear what is missing"));
     const QString out = m_out->text().trimmed();
     if (out.isEmpty())
         return tell(failure(tr("Where to").toStdString(), "no file is named", "Name one"));
+    const QFileInfo there(out);
+    const bool taken = there.isDir() ? !QDir(out).isEmpty() : there.exists();
+    if (taken && !m_replaceable.contains(there.absoluteFilePath()))
+        return askToReplace(this, out, [this, out] { write(out); });
+    write(out);
+}
+
+void ExportDialog::write(const QString& out)
+{
+    const QString path = QFileInfo(out).absoluteFilePath();
+    m_replaceable.append(path);
     QSettings().setValue("folders/export", QFileInfo(out).absolutePath());
     const int size = kSizes[m_size->currentIndex()];
     m_background.start([this, row = target(), state = m_document.state(), resources = m_assets.resources(), out, size](

@@ -24,16 +24,22 @@ public:
     bool busy() const { return m_background.busy(); }
 
 public Q_SLOTS:
-    void run();
+    void run(); // asks first when something lies there that is not known to be replaceable
 
 Q_SIGNALS:
     void finished(bool well);
+
+protected:
+    void showEvent(QShowEvent*) override;
 
 private:
     const ExportRow& target() const;
     QString proposal() const;
     void targetChosen();
+    void propose();
+    void documentStarted();
     void browse();
+    void write(const QString& out);
     void tell(const Expected<Exported>& result);
     const Document& m_document;
     const Assets& m_assets;
@@ -41,6 +47,8 @@ private:
     QComboBox *m_target, *m_size;
     QLabel *m_help, *m_result;
     QLineEdit* m_out;
+    bool m_named = false; // the path was typed or chosen: it is not proposed anew
+    QStringList m_replaceable; // chosen knowingly, or written from this document
     QPushButton* m_export;
     QProgressBar* m_progress;
 };

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/files.h"
 #include "app/window/dialogs.h"
+#include "app/window/number_field.h"
 #include "app/window/recent_files.h"
 #include "app/window/text.h"
 #include "core/image/samples.h"
@@ -21,13 +22,16 @@ Files::Files(Document& document, Assets& assets, Messages& messages, QWidget* wi
     , m_messages(messages)
     , m_window(window)
 {
+    m_assets.askFirst = [this](std::function<void()> then) { guard(std::move(then)); };
 }
 
-void Files::guard(std::function<void()> then)
+void Files::guard(std::function<void()> then, const QString& alsoLost)
 {
-    if (!m_document.isModified())
+    commitTyping(m_window);
+    if (!m_document.isModified() && alsoLost.isEmpty())
         return then();
-    askAboutUnsaved(m_window, m_document.name(), [this, then](Answer answer) {
+    const QString unsaved = m_document.isModified() ? m_document.name() : QString();
+    askAboutUnsaved(m_window, unsaved, alsoLost, [this, then](Answer answer) {
         if (answer == Answer::Save)
             save(then);
         else if (answer == Answer::Discard)
@@ -57,6 +61,7 @@ void Files::open(const QString& source)
 
 void Files::save(std::function<void()> then)
 {
+    commitTyping(m_window);
     if (m_document.file().isEmpty())
         saveAs(std::move(then));
     else
@@ -65,6 +70,7 @@ void Files::save(std::function<void()> then)
 
 void Files::saveAs(std::function<void()> then)
 {
+    commitTyping(m_window);
     const QString proposal = m_document.file().isEmpty() ? m_document.name() + ".relievo" : m_document.file();
     askWhereToSave(m_window, tr("Save the project"), proposal, "relievo", [this, then](const QString& file) { saveTo(file, then); });
 }
@@ -85,6 +91,8 @@ void Files::take(const QString& dropped)
         m_assets.propose(tr("Mesh"), [dropped](State& state) { state.mesh = dropped.toStdString(), state.part.clear(); });
     else if (isProjectFile(dropped.toStdString()))
         open(dropped);
+    else if (fits(FileKind::Preset, dropped))
+        applyPreset(dropped.toStdString());
     else
         m_assets.openInto(dropped);
 }
@@ -118,7 +126,7 @@ void Files::fillPresets(QMenu& menu)
             if (row.sample.empty())
                 applyPreset(std::string(row.key));
             else
-                m_assets.openDocument("scene:" + qt(row.key));
+                open("scene:" + qt(row.key));
         });
     }
     menu.addSeparator();

@@ -16,7 +16,8 @@ public:
     Files(Document& document, Assets& assets, Messages& messages, QWidget* window);
 
     // `then` runs at once when nothing is unsaved, else after the question, unless it is cancelled or saving fails.
-    void guard(std::function<void()> then);
+    // alsoLost: a sentence on other work that `then` ends; it is asked about too.
+    void guard(std::function<void()> then, const QString& alsoLost = {});
 
     void startNew();
     void ask(); // for a project or image, then opens it
@@ -24,7 +25,7 @@ public:
     void open(const QString& source); // a new document, after the question
     void save(std::function<void()> then = {}); // asks where to when the document has no file yet
     void saveAs(std::function<void()> then = {});
-    // A mesh replaces the mesh, a project the document, an image or folder the maps.
+    // A mesh replaces the mesh, a project the document, an image or folder the maps, a preset the numbers.
     void take(const QString& dropped);
 
     void fillRecent(QMenu& menu);

@@ -3,12 +3,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/files.h"
 #include "app/window/main_window.h"
+#include "app/window/recovery.h"
 #include "app/window/theme.h"
 #include "core/state/state_json.h"
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
 #include <QFileInfo>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
 #include <QSurfaceFormat>
 #include <cstdio>
 
@@ -21,6 +24,19 @@ void removeIfOurs(const QString& file)
     const QString handedOver = QDir::temp().filePath(QString("relievo-%1.json").arg(QCoreApplication::applicationPid()));
     if (QFileInfo(file) == QFileInfo(handedOver))
         QFile::remove(file);
+}
+
+// Without any OpenGL the picture could not even be set up. That it is too old is said in the window.
+bool hasOpenGL()
+{
+    QOpenGLContext context;
+    QOffscreenSurface surface;
+    surface.create();
+    if (context.create() && context.makeCurrent(&surface))
+        return true;
+    std::fputs(
+        "relievo: error: no OpenGL was found on this display, and version 4.1 is needed. Install or update the graphics driver.\n", stderr);
+    return false;
 }
 
 // Without a SOURCE the maps of the state are shown, and without those the built-in bricks.
@@ -69,9 +85,13 @@ int main(int argc, char** argv)
         return 2;
     }
 
+    if (!hasOpenGL())
+        return 1;
     applyLook(application, savedLook());
     MainWindow window;
     window.show();
     open(window, sources.value(0), given);
+    const Recovery recovery(window.document());
+    offerLeftBehind(window);
     return QApplication::exec();
 }

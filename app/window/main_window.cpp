@@ -8,6 +8,7 @@
 #include "app/window/files.h"
 #include "app/window/map_panel.h"
 #include "app/window/message_line.h"
+#include "app/window/number_field.h"
 #include "app/window/parameter_panel.h"
 #include "app/window/technique_bar.h"
 #include "app/window/text.h"
@@ -15,7 +16,6 @@
 #include "app/window/viewport.h"
 #include "core/state/views.h"
 #include <QApplication>
-#include <QClipboard>
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QDropEvent>
@@ -150,8 +150,8 @@ Handlers MainWindow::handlers()
         {"quit", [this](bool) { close(); }},
         {"undo", [this](bool) { m_document.undoStack().undo(); }},
         {"redo", [this](bool) { m_document.undoStack().redo(); }},
-        {"copy-picture", [this](bool) { QApplication::clipboard()->setImage(m_viewport->picture()); }},
-        {"copy-camera", [this](bool) { QApplication::clipboard()->setText(QString::fromStdString(toText(m_document.state().camera))); }},
+        {"copy-picture", [this](bool) { copyPicture(); }},
+        {"copy-camera", [this](bool) { copyCamera(); }},
         {"paste-camera", [this](bool) { pasteCamera(); }},
         {"wireframe", [parameter](bool on) { parameter("wireframe", on); }},
         {"two-panes",
@@ -229,30 +229,24 @@ void MainWindow::setView(std::string_view key)
 
 void MainWindow::showExport()
 {
+    commitTyping(this);
     if (!m_export)
         m_export = new ExportDialog(m_document, m_assets, this);
     m_export->show();
     m_export->raise();
 }
 
-void MainWindow::pasteCamera()
-{
-    const std::string text = QApplication::clipboard()->text().trimmed().toStdString();
-    Camera camera = m_document.state().camera;
-    if (const auto read = setCamera(camera, text); !read)
-        return m_messages.set("camera", read.error());
-    m_messages.clear("camera");
-    m_document.edit({}, [&](State& state) { state.camera = camera; });
-}
-
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!m_closing && m_document.isModified()) {
+    commitTyping(this);
+    const bool exporting = m_export && m_export->busy();
+    if (!m_closing && (m_document.isModified() || exporting)) {
         event->ignore();
-        return m_files->guard([this] {
+        const auto end = [this] {
             m_closing = true;
             close();
-        });
+        };
+        return m_files->guard(end, exporting ? tr("An export is still running. Quitting stops it.") : QString());
     }
     saveLayout();
     event->accept();

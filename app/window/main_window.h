@@ -55,6 +55,8 @@ private:
     void documentChanged(Changes what);
     void updateTitle();
     void showExport();
+    void copyPicture();
+    void copyCamera();
     void pasteCamera();
     void restoreLayout();
     void saveLayout() const;

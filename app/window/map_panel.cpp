@@ -73,6 +73,7 @@ MapPanel::MapPanel(Document& document, Assets& assets, QWidget* parent) : QWidge
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
     connect(&assets, &Assets::resourcesChanged, this, &MapPanel::refresh);
+    connect(&assets, &Assets::refused, this, &MapPanel::refresh);
     connect(&document, &Document::changed, this, [this](Changes what) {
         if (what & (Changes(Change::Maps) | Change::Mesh | Change::Environment))
             refresh();

@@ -10,6 +10,7 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
 #include <QPainter>
@@ -57,6 +58,8 @@ MapRow::MapRow(const MapKindRow& kind, QWidget* parent)
 {
     setObjectName("map-" + qt(kind.key));
     setAcceptDrops(true);
+    setFocusPolicy(Qt::TabFocus);
+    setAccessibleName(tr("%1 map").arg(qt(kind.label)));
     setAttribute(Qt::WA_Hover);
     setCursor(Qt::PointingHandCursor);
     setToolTip(QString("<p><b>%1</b><br>%2<br>Click to choose a file, or drop one here.</p>").arg(qt(kind.label), qt(kind.help)));
@@ -134,7 +137,7 @@ void MapRow::paintEvent(QPaintEvent*)
         painter.setPen(QPen(m_missing ? warningColor(palette()) : dimText(palette()), 1, Qt::DashLine));
         painter.drawRoundedRect(QRectF(frame).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
     }
-    if (m_dropHere) {
+    if (m_dropHere || hasFocus()) {
         painter.setPen(QPen(accent(palette()), 1));
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
@@ -144,6 +147,17 @@ void MapRow::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint()))
         m_missing ? Q_EMIT locateWanted() : Q_EMIT assignWanted();
+}
+
+void MapRow::keyPressEvent(QKeyEvent* event)
+{
+    const int key = event->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space)
+        m_missing ? Q_EMIT locateWanted() : Q_EMIT assignWanted();
+    else if (key == Qt::Key_Delete && m_filled)
+        Q_EMIT cleared();
+    else
+        QWidget::keyPressEvent(event);
 }
 
 void MapRow::dragEnterEvent(QDragEnterEvent* event)

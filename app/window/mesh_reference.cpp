@@ -51,16 +51,15 @@ void MeshReference::want(int width, int height)
         [this, state = m_document.state(), resources = m_assets.resources(), width, height](const Progress& progress) -> Background::Then {
             std::array<std::shared_ptr<const SeenDistances>, 2> seen;
             QList<Message> told;
-            for (std::size_t pane = 0; pane < state.panes.size() && told.isEmpty(); ++pane) {
+            for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
                 Warnings coarse;
                 auto distances = exactDistances(state, pane, resources, width, height, coarse, progress);
                 if (!distances)
                     told.append({true, QString::fromStdString(message(distances.error()))});
                 else
                     seen[pane] = std::make_shared<const SeenDistances>(std::move(*distances));
-                if (pane == 0)
-                    for (const Warning& warning : coarse)
-                        told.append({false, QString::fromStdString(warning.text)});
+                for (const Warning& warning : coarse)
+                    told.append({false, QString::fromStdString(warning.text)});
             }
             return [this, seen, told] {
                 m_messages.set("reference", told);

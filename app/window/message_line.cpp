@@ -8,12 +8,15 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace relievo {
 namespace {
+constexpr int kListLines = 8; // of messages that are seen at once
+constexpr int kListSlack = 12; // px, for the scroll bar
 constexpr int kShowWorkAfter = 150; // ms: short work shows no bar
 const char* const kMouseHelp = "Left drag orbits   \u00b7   Middle drag moves   \u00b7   Wheel zooms   \u00b7   Right drag with W A S D "
                                "flies   \u00b7   Shift + right drag turns the light";
@@ -34,13 +37,18 @@ QString counted(const QList<Message>& all)
 MessageLine::MessageLine(Messages& messages, Background& background, QWidget* parent)
     : QWidget(parent)
     , m_messages(messages)
-    , m_list(new QWidget(this))
+    , m_list(new QScrollArea(this))
+    , m_entries(new QWidget)
     , m_work(new QWidget(this))
-    , m_lines(new QVBoxLayout(m_list))
+    , m_lines(new QVBoxLayout(m_entries))
     , m_count(new QToolButton(this))
     , m_text(new ElidedLabel(this))
     , m_progress(new QProgressBar(this))
 {
+    m_list->setObjectName("message-list");
+    m_list->setWidget(m_entries);
+    m_list->setWidgetResizable(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_lines->setContentsMargins(12, 8, 12, 8);
     m_lines->setSpacing(2 * kGrid);
     m_count->setObjectName("message-count");
@@ -116,12 +124,26 @@ void MessageLine::refresh()
     m_open = m_open && !all.isEmpty();
     fillList(m_open ? all : QList<Message>{});
     m_list->setVisible(m_open);
+    fitList();
     m_count->setVisible(!all.isEmpty());
     m_count->setText(' ' + counted(all));
     m_count->setIcon(icon(!all.isEmpty() && all.front().isError ? "error" : "warning"));
     const QString said = all.isEmpty() ? QString::fromUtf8(kMouseHelp) : m_open ? QString() : all.front().text;
     setRole(*m_text, all.isEmpty() ? "dim" : "");
     m_text->setFullText(said);
+}
+
+void MessageLine::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitList();
+}
+
+// As high as its messages, up to kListLines lines; more are scrolled to.
+void MessageLine::fitList()
+{
+    const int lines = kListLines * (fontMetrics().height() + m_lines->spacing());
+    m_list->setFixedHeight(std::clamp(m_lines->totalHeightForWidth(std::max(width() - kListSlack, 1)), 0, lines));
 }
 
 void MessageLine::fillList(const QList<Message>& all)

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QProgressBar;
+class QScrollArea;
 class QToolButton;
 class QVBoxLayout;
 
@@ -24,13 +25,16 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override; // another look: other icons
+    void resizeEvent(QResizeEvent* event) override; // another width: other line breaks
 
 private:
     void refresh();
     void fillList(const QList<Message>& all);
+    void fitList();
     Messages& m_messages;
     bool m_open = false;
-    QWidget *m_list, *m_work;
+    QScrollArea* m_list;
+    QWidget *m_entries, *m_work;
     QVBoxLayout* m_lines;
     QToolButton* m_count;
     ElidedLabel* m_text;

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relievo {
 
@@ -24,10 +25,42 @@ void NumberField::setValue(double value)
     setModified(false);
 }
 
+// With nothing typed, undo and redo are the document's.
+bool NumberField::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return false;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
 void NumberField::focusInEvent(QFocusEvent* event)
 {
     QLineEdit::focusInEvent(event);
     QTimer::singleShot(0, this, &QLineEdit::selectAll); // after the click has placed its cursor
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event)
+{
+    endStepping();
+    QLineEdit::focusOutEvent(event);
+}
+
+void NumberField::keyReleaseEvent(QKeyEvent* event)
+{
+    if (!event->isAutoRepeat())
+        endStepping();
+    QLineEdit::keyReleaseEvent(event);
+}
+
+void NumberField::endStepping()
+{
+    if (std::exchange(m_stepping, false))
+        Q_EMIT released();
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event)
@@ -43,6 +76,8 @@ void NumberField::keyPressEvent(QKeyEvent* event)
     double next = scale.rounded(scale.value(scale.position(m_value) + step * 0.01), SliderScale::Grain::Normal);
     if (scale.whole)
         next = std::clamp(m_value + step, scale.min, scale.max);
+    if (!std::exchange(m_stepping, true))
+        Q_EMIT pressed();
     setValue(next);
     Q_EMIT entered(next);
 }
@@ -64,6 +99,12 @@ void NumberField::commit()
         Q_EMIT entered(allowed);
     if (allowed != typed)
         Q_EMIT outOfRange();
+}
+
+void commitTyping(const QWidget* window)
+{
+    if (auto* field = qobject_cast<NumberField*>(window->focusWidget()))
+        field->commit();
 }
 
 } // namespace relievo

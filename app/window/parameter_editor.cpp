@@ -119,6 +119,8 @@ void ParameterEditor::addNumber(QHBoxLayout* layout)
     layout->addWidget(unit);
     connect(slider, &Slider::pressed, this, &ParameterEditor::pressed);
     connect(slider, &Slider::released, this, &ParameterEditor::released);
+    connect(field, &NumberField::pressed, this, &ParameterEditor::pressed);
+    connect(field, &NumberField::released, this, &ParameterEditor::released);
     connect(slider, &Slider::resetWanted, this, &ParameterEditor::resetWanted);
     connect(slider, &Slider::moved, this, [this, field](double v) {
         field->setValue(v);

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -133,7 +134,28 @@ void Slider::keyPressEvent(QKeyEvent* event)
     double next = m_scale.rounded(m_scale.value(m_scale.position(m_value) + (up ? way : -way)), grain);
     if (m_scale.whole && next == m_value)
         next = std::clamp(m_value + (up ? 1 : -1), m_scale.min, m_scale.max);
+    if (!std::exchange(m_stepping, true)) // its repeats are one gesture
+        Q_EMIT pressed();
     moveTo(next);
+}
+
+void Slider::keyReleaseEvent(QKeyEvent* event)
+{
+    if (!event->isAutoRepeat())
+        endStepping();
+    QWidget::keyReleaseEvent(event);
+}
+
+void Slider::focusOutEvent(QFocusEvent* event)
+{
+    endStepping();
+    QWidget::focusOutEvent(event);
+}
+
+void Slider::endStepping()
+{
+    if (std::exchange(m_stepping, false))
+        Q_EMIT released();
 }
 
 void Slider::moveTo(double value)

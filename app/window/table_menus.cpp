@@ -11,6 +11,13 @@
 #include <QShortcut>
 
 namespace relievo {
+namespace {
+// The key of the i-th row as a menu shows it. A shortcut of the item itself would make that of addKeys ambiguous.
+QString keyText(Qt::KeyboardModifiers keys, int i)
+{
+    return i < 9 ? '\t' + QKeySequence(int(keys) | (Qt::Key_1 + i)).toString(QKeySequence::NativeText) : QString();
+}
+} // namespace
 
 // Rows of other tables in the menus.
 void MainWindow::addTableMenus()
@@ -26,14 +33,12 @@ void MainWindow::addTableMenus()
     lazyMenu(view, first, tr("Technique"), [this](QMenu& menu) {
         for (int i = 0; i < m_techniques->rows().size(); ++i) {
             const TechniqueRow& row = *m_techniques->rows()[i];
-            QAction* action = menu.addAction(qt(row.label), this, [this, &row] { setTechnique(row.key); });
-            action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)));
+            menu.addAction(qt(row.label) + keyText(Qt::ControlModifier, i), this, [this, &row] { setTechnique(row.key); });
         }
     });
     lazyMenu(view, first, tr("Show"), [this](QMenu& menu) {
         for (std::size_t i = 0; i < kViews.size(); ++i)
-            menu.addAction(qt(kViews[i].label), this, [this, i] { setView(kViews[i].key); })
-                ->setShortcut(QKeySequence(Qt::Key(Qt::Key_1 + int(i))));
+            menu.addAction(qt(kViews[i].label) + keyText(Qt::NoModifier, int(i)), this, [this, i] { setView(kViews[i].key); });
     });
 }
 

@@ -4,13 +4,13 @@
 #include "app/window/viewport.h"
 #include "app/window/gl_calls.h"
 #include "app/window/overlays.h"
-#include "app/window/technique_bar.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include "render/windowless.h"
 #include <QPainter>
+#include <QScopeGuard>
 #include <algorithm>
 #include <cmath>
 
@@ -167,9 +167,18 @@ void Viewport::drawPanes(double scale)
     m_shownScale = scale;
     // Later: what hears of it may change the layout, which must not happen while painting.
     QMetaObject::invokeMethod(
-        this, [this, troubles] { m_messages.set("picture", troubles); }, Qt::QueuedConnection);
-    if (scale >= 1.)
+        this, [this, troubles] { drawn(troubles); }, Qt::QueuedConnection);
+    if (scale >= 1. && troubles.isEmpty())
         m_measuring.start(kMeasureDelay);
+}
+
+void Viewport::drawn(const QList<Message>& troubles)
+{
+    m_messages.set("picture", troubles);
+    if (troubles.isEmpty())
+        return;
+    m_measured = {}; // it was of another picture
+    updateOverlays();
 }
 
 // One more shifted picture; the hand is heard between any two.
@@ -216,7 +225,7 @@ void Viewport::measure()
     for (int pane = 0; pane < paneCount(); ++pane) {
         const PaneArea size = area(pane);
         const auto measured = m_renderer->measure(
-            m_document.state(), std::size_t(pane), m_assets.resources(), float(size.width) / float(std::max(size.height, 1)));
+            m_document.state(), std::size_t(pane), m_assets.resources(), float(size.width) / float(std::max(size.height, 1)), false);
         m_measured[std::size_t(pane)] = measured ? std::optional(*measured) : std::nullopt;
     }
     doneCurrent();
@@ -232,6 +241,7 @@ QImage Viewport::picture()
     if (!m_renderer || !m_assets.ready())
         return {};
     makeCurrent();
+    const auto done = qScopeGuard([this] { doneCurrent(); });
     const PaneArea last = area(paneCount() - 1);
     QImage sheet(last.x + last.width, last.height, QImage::Format_RGBA8888);
     sheet.fill(Qt::transparent);
@@ -239,13 +249,12 @@ QImage Viewport::picture()
     for (int pane = 0; pane < paneCount(); ++pane) {
         const PaneArea size = area(pane);
         const auto drawn = drawPicture(*m_renderer, m_document.state(), std::size_t(pane), m_reference->resourcesOf(pane),
-            m_document.state().view, size.width, size.height, m_reference->isShown() ? 1 : kSmoothSamples, false);
+            m_document.state().view, size.width, size.height, m_reference->isShown() ? 1 : kSmoothSamples, false, false);
         if (!drawn)
-            continue;
+            return {}; // the message line says why
         const QImage part(reinterpret_cast<const uchar*>(drawn->data.data()), drawn->width, drawn->height, QImage::Format_RGBA8888);
         painter.drawImage(size.x, 0, part);
     }
-    doneCurrent();
     return sheet;
 }
 
@@ -285,16 +294,6 @@ void Viewport::updateOverlays()
     m_legend->setVisible(view && view->isHeat);
     if (view && view->isHeat)
         m_legend->show(qt(view->label), qt(view->unit), double(heatRange(effectiveParameters(state, 0), state.view)));
-}
-
-void Viewport::chooseTechnique(int pane)
-{
-    setActivePane(pane);
-    const std::size_t index = std::size_t(pane);
-    popUpTechniques(this, m_captions[index]->mapToGlobal(QPoint(0, kRowHeight + kGrid)), m_document.state().panes[index].technique,
-        [this, index](const TechniqueRow& row) {
-            m_document.edit(tr("Technique %1").arg(qt(row.label)), [&](State& state) { state.panes[index].technique = row.key; });
-        });
 }
 
 } // namespace relievo

@@ -31,7 +31,7 @@ public:
 
     int activePane() const { return m_activePane; } // the one that the technique bar speaks of
     void setActivePane(int pane);
-    QImage picture(); // what is shown, in full resolution, without captions
+    QImage picture(); // what is shown, in full resolution, without captions; null when a pane cannot be drawn
     // Pictures averaged in what is shown: 0 while the edges are as the pixels fall, kSmoothSamples in the end.
     int smoothSamples() const { return m_pictures ? m_pictures->smooth[0].count() : 0; }
     static constexpr int kSmoothSamples = 8;
@@ -67,6 +67,7 @@ private:
     void documentChanged(Changes what);
     void refresh(bool moving); // a new picture is wanted
     void drawPanes(double scale);
+    void drawn(const QList<Message>& troubles);
     Expected<void> drawPane(int pane, double scale, glm::vec2 shift);
     void smooth();
     void showPanes();

@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/overlays.h"
+#include "app/window/technique_bar.h"
+#include "app/window/text.h"
+#include "app/window/theme.h"
 #include "app/window/viewport.h"
 #include <QApplication>
 #include <QKeyEvent>
@@ -139,6 +142,20 @@ void Viewport::focusOutEvent(QFocusEvent* event)
         endDrag();
     m_hint->say({});
     QOpenGLWidget::focusOutEvent(event);
+}
+
+// The document may have changed while the menu is open.
+void Viewport::chooseTechnique(int pane)
+{
+    setActivePane(pane);
+    const std::size_t index = std::size_t(m_activePane);
+    popUpTechniques(this, m_captions[index]->mapToGlobal(QPoint(0, kRowHeight + kGrid)), m_document.state().panes[index].technique,
+        [this, index](const TechniqueRow& row) {
+            m_document.edit(tr("Technique %1").arg(qt(row.label)), [&](State& state) {
+                if (index < state.panes.size())
+                    state.panes[index].technique = row.key;
+            });
+        });
 }
 
 void Viewport::fly()

@@ -5,7 +5,9 @@
 #include "core/exporters/new_files.h"
 #include "core/file.h"
 #include "core/maps/float_image.h"
+#include "core/mesh/pose.h"
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
@@ -20,12 +22,18 @@ constexpr const char* kTransform = "KHR_texture_transform";
 constexpr const char* kBrighter = "KHR_materials_emissive_strength";
 constexpr int kFloat = 5126, kUint = 5125, kVertices = 34962, kIndices = 34963; // glTF's numbers for types and targets
 
+Mesh atRest(const Mesh& mesh)
+{
+    return mesh.deformation ? posed(mesh, poseAt(mesh, -1, 0.f)) : mesh;
+}
+
 class GltfWriter {
 public:
     explicit GltfWriter(const ExportJob& job)
         : m_job(job)
         , m_parameters(effectiveParameters(job.state, 0))
         , m_material(*job.resources.material)
+        , m_mesh(atRest(*job.resources.mesh))
     {
     }
 
@@ -95,7 +103,7 @@ private:
 
     void addMesh()
     {
-        const Mesh& mesh = *m_job.resources.mesh;
+        const Mesh& mesh = m_mesh;
         std::vector<glm::vec3> positions, normals;
         std::vector<glm::vec2> uvs;
         std::vector<glm::vec4> tangents;
@@ -106,15 +114,20 @@ private:
             tangents.push_back(tangentOf(vertex));
         }
         const std::size_t position = addAttribute(positions, "VEC3");
+        glm::vec3 least = positions.front(), most = least;
+        for (const glm::vec3& p : positions)
+            least = glm::min(least, p), most = glm::max(most, p);
         const auto point = [](glm::vec3 p) { return Json::array({p.x, p.y, p.z}); };
-        m_document["accessors"][position]["min"] = point(mesh.boundsMin);
-        m_document["accessors"][position]["max"] = point(mesh.boundsMax);
+        m_document["accessors"][position]["min"] = point(least);
+        m_document["accessors"][position]["max"] = point(most);
         const Json attributes = {{"POSITION", position}, {"NORMAL", addAttribute(normals, "VEC3")},
             {"TANGENT", addAttribute(tangents, "VEC4")}, {"TEXCOORD_0", addAttribute(uvs, "VEC2")}};
         Json primitives = Json::array();
-        for (const MeshPart& part : mesh.parts) {
+        const std::vector<char> plainOnes = plainParts(mesh, m_job.state.part);
+        for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+            const MeshPart& part = mesh.parts[i];
             const std::size_t view = addView(mesh.indices.data() + part.firstIndex, part.indexCount * sizeof(std::uint32_t), kIndices);
-            const bool plain = isPlain(mesh, part, m_job.state.part);
+            const bool plain = plainOnes[i] != 0;
             m_hasPlainParts = m_hasPlainParts || plain;
             primitives.push_back({{"attributes", attributes}, {"indices", addAccessor(view, part.indexCount, kUint, "SCALAR")},
                 {"material", plain ? 1 : 0}});
@@ -326,6 +339,7 @@ private:
     const ExportJob& m_job;
     Parameters m_parameters;
     const Material& m_material;
+    const Mesh m_mesh; // as it is written
     Json m_document = Json::object();
     std::vector<std::byte> m_binary;
     bool m_hasPlainParts = false;

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/file_names.h"
+#include "core/image/name_words.h"
 #include "core/text.h"
 #include <algorithm>
-#include <array>
+#include <cstdlib>
 #include <optional>
-#include <unordered_map>
 
 namespace relievo {
 namespace {
@@ -32,87 +32,7 @@ std::string normalised(std::string text)
     return lowered(text);
 }
 
-// Calls visit(word, index) for each word of a list separated by spaces.
-template <class Visit> void forEachWord(std::string_view list, Visit visit)
-{
-    int index = 0;
-    for (std::size_t at = 0; at < list.size();) {
-        const std::size_t end = std::min(list.find(' ', at), list.size());
-        visit(list.substr(at, end - at), index++);
-        at = end + 1;
-    }
-}
-template <class Test> bool anyWord(std::string_view list, Test test)
-{
-    bool found = false;
-    forEachWord(list, [&](std::string_view word, int) { found = found || test(word); });
-    return found;
-}
-bool listed(std::string_view list, std::string_view word)
-{
-    return anyWord(list, [&](std::string_view one) { return one == word; });
-}
-
-// Words for kinds beside the suffixes of kMapKinds.
-struct ExtraWords {
-    MapKind kind;
-    std::string_view words;
-};
-constexpr auto kExtraWords = std::to_array<ExtraWords>({
-    {MapKind::Height, "elevation heights parallax"},
-    {MapKind::Color, "basecolour albedocolor diffusecolor diffusecolour colors coll clr"},
-    {MapKind::Normal, "norms nrml nml"},
-    {MapKind::AmbientOcclusion, "mixedao ambient"},
-    {MapKind::Emission, "emissivecolor selfillumination a"},
-    {MapKind::Opacity, "opac transparency"},
-});
-constexpr std::string_view kGlWords = "gl ogl opengl";
-constexpr std::string_view kDxWords = "dx d3d directx";
-
-// Scalar maps packed in the channels of one file, in the order r g b.
-struct PackedWords {
-    std::string_view words;
-    std::array<std::optional<MapKind>, 3> kinds;
-};
-const auto kPackedWords = std::to_array<PackedWords>({
-    {"arm orm aorm occlusionroughnessmetallic occlusionroughnessmetalness aoroughnessmetallic aorm ormap",
-        {MapKind::AmbientOcclusion, MapKind::Roughness, MapKind::Metallic}},
-    {"rma", {MapKind::Roughness, MapKind::Metallic, MapKind::AmbientOcclusion}},
-    {"mra", {MapKind::Metallic, MapKind::Roughness, MapKind::AmbientOcclusion}},
-    {"metallicroughness roughnessmetallic metalroughness metalrough roughmetal metalnessroughness",
-        {std::nullopt, MapKind::Roughness, MapKind::Metallic}},
-});
-constexpr std::string_view kReliefWords
-    = "relief reliefmap relieftex relieftexture rm nd nh dual dualdepth dualrelief normaldepth normdepth";
-
-// Words that say nothing about the kind, at the end of a name.
-constexpr std::string_view kNoise = "map maps tex texture textures image img lod rgb rgba bl final tiled tileable seamless";
-constexpr std::string_view kTags = "png jpg jpeg exr tif tiff tga bmp dds hdr srgb linear raw half float 16bit 8bit 32bit";
-
-bool allDigits(std::string_view text)
-{
-    return !text.empty() && std::ranges::all_of(text, isDigit);
-}
-
-// 1k, 4096, 1024x1024, 512px, 16bit, u16, 32f: how the image is stored, not what it shows.
-bool isTag(std::string_view word)
-{
-    if (listed(kTags, word))
-        return true;
-    const std::size_t digits = std::size_t(std::ranges::find_if_not(word, isDigit) - word.begin());
-    const std::string_view number = word.substr(0, digits), rest = word.substr(digits);
-    if (word.starts_with("lod") && allDigits(word.substr(3)))
-        return true;
-    if (digits == 0)
-        return word.size() > 1 && (word[0] == 'u' || word[0] == 'f') && listed("8 16 32", word.substr(1));
-    if (rest == "k" || rest == "px" || rest == "bit" || rest == "bits" || rest == "bpc")
-        return digits <= 5;
-    if (listed("b f", rest))
-        return listed("8 16 32", number);
-    if (rest.empty())
-        return listed("256 512 1024 2048 4096 8192 16384", number);
-    return rest[0] == 'x' && allDigits(rest.substr(1));
-}
+constexpr std::string_view kTakes = "copy new old";
 
 struct Word {
     std::size_t begin, end; // in the name
@@ -120,6 +40,8 @@ struct Word {
     bool separated; // by a separator from the word before
     bool tag;
     bool number() const { return allDigits(text); }
+    bool version() const { return isVersion(text) || listed(kTakes, text); } // of a file: says nothing about its map
+    bool silent() const { return tag || number() || version() || isNoise(text); } // may follow the kind words
 };
 
 // Ends of camelCase words, and of runs of digits.
@@ -136,8 +58,8 @@ bool wordEndsBetween(std::string_view name, std::size_t at)
 void splitToken(std::string_view name, std::size_t begin, std::size_t end, std::vector<Word>& words)
 {
     const std::string whole = lowered(name.substr(begin, end - begin));
-    if (isTag(whole)) {
-        words.push_back({begin, end, whole, true, true});
+    if (isTag(whole) || isVersion(whole)) {
+        words.push_back({begin, end, whole, true, isTag(whole)});
         return;
     }
     for (std::size_t from = begin; from < end;) {
@@ -161,93 +83,6 @@ std::vector<Word> wordsOf(std::string_view name)
         at = end + 1;
     }
     return words;
-}
-
-struct Meaning {
-    std::vector<MapRole> roles;
-    Packing packing = Packing::None;
-    int rank = 0;
-    Convention convention = Convention::Unsure;
-};
-using Dictionary = std::unordered_map<std::string, Meaning>;
-
-Convention conventionOfWord(MapKind kind, std::string_view word)
-{
-    if (kind == MapKind::Height)
-        return word.starts_with("depth") ? Convention::Depth : Convention::Height;
-    const auto ends = [&](std::string_view list) { return anyWord(list, [&](std::string_view end) { return word.ends_with(end); }); };
-    return kind != MapKind::Normal ? Convention::Unsure
-        : ends(kDxWords)           ? Convention::DX
-        : ends(kGlWords)           ? Convention::GL
-                                   : Convention::Unsure;
-}
-
-void addWords(Dictionary& dictionary, MapKind kind, std::string_view list, int firstRank)
-{
-    forEachWord(list, [&](std::string_view word, int index) {
-        std::string plain(word);
-        std::erase(plain, '_');
-        dictionary.try_emplace(plain, Meaning{{{kind, Channel::Rgb}}, Packing::None, firstRank + index, conventionOfWord(kind, plain)});
-    });
-}
-
-Dictionary makeDictionary()
-{
-    Dictionary dictionary;
-    for (const MapKindRow& row : kMapKinds)
-        addWords(dictionary, row.kind, row.suffixes, 0);
-    for (const ExtraWords& extra : kExtraWords)
-        addWords(dictionary, extra.kind, extra.words, 20);
-    for (std::string_view base : {"normal", "normals", "norm", "nor", "nrm", "nml", "n"})
-        for (std::string_view list : {kGlWords, kDxWords})
-            forEachWord(
-                list, [&](std::string_view end, int) { addWords(dictionary, MapKind::Normal, std::string(base) + std::string(end), 0); });
-    for (const PackedWords& packed : kPackedWords) {
-        Meaning meaning{{}, Packing::Channels, 30, Convention::Unsure};
-        for (std::size_t i = 0; i < 3; ++i)
-            if (packed.kinds[i])
-                meaning.roles.push_back({*packed.kinds[i], Channel(i)});
-        forEachWord(packed.words, [&](std::string_view word, int) { dictionary[std::string(word)] = meaning; });
-    }
-    const Meaning relief{{{MapKind::Normal, Channel::Rgb}, {MapKind::Height, Channel::A}}, Packing::Relief, 30, Convention::Unsure};
-    forEachWord(kReliefWords, [&](std::string_view word, int) { dictionary[std::string(word)] = relief; });
-    dictionary["nh"].convention = Convention::Height;
-    dictionary["nd"].convention = Convention::Depth;
-    return dictionary;
-}
-
-const Meaning* lookUp(const std::string& word)
-{
-    static const Dictionary dictionary = makeDictionary();
-    if (const auto found = dictionary.find(word); found != dictionary.end())
-        return &found->second;
-    for (std::string_view ending : {"map", "texture", "tex"})
-        if (word.size() > ending.size() + 1 && word.ends_with(ending))
-            if (const auto found = dictionary.find(word.substr(0, word.size() - ending.size())); found != dictionary.end())
-                return &found->second;
-    return nullptr;
-}
-
-// "normheight", "alb" + "ht": a colour or normal, then a scalar map in its alpha.
-std::optional<Meaning> pairOf(const std::string& first, const std::string& second)
-{
-    const Meaning *a = lookUp(first), *b = lookUp(second);
-    if (first.size() < 2 || second.size() < 2 || !a || !b || a->packing != Packing::None || b->packing != Packing::None)
-        return std::nullopt;
-    const MapKind base = a->roles[0].kind, extra = b->roles[0].kind;
-    if ((base != MapKind::Color && base != MapKind::Normal) || extra == MapKind::Color || extra == MapKind::Normal
-        || extra == MapKind::Emission)
-        return std::nullopt;
-    const Convention convention = extra == MapKind::Height ? b->convention : a->convention;
-    return Meaning{{{base, Channel::Rgb}, {extra, Channel::A}}, Packing::ColorAndAlpha, 30, convention};
-}
-
-std::optional<Meaning> pairInWord(const std::string& word)
-{
-    for (std::size_t at = word.size() - std::min<std::size_t>(word.size(), 2); at >= 2; --at)
-        if (std::optional<Meaning> pair = pairOf(word.substr(0, at), word.substr(at)))
-            return pair;
-    return std::nullopt;
 }
 
 // The kind words of a name: words [first, last).
@@ -330,18 +165,18 @@ std::optional<Match> matchOf(const std::vector<Word>& words)
         if (!words[last - 1].tag && !words[last - 1].number())
             if (auto match = matchBefore(words, last))
                 return match;
-        if (!words[last - 1].tag && !words[last - 1].number() && !listed(kNoise, words[last - 1].text))
+        if (!words[last - 1].silent())
             break;
     }
     return matchAtStart(words);
 }
 
-// What is left of a name without tags and without words [first, last).
-std::string rest(std::string_view name, const std::vector<Word>& words, std::size_t first, std::size_t last)
+// What is left of a name without tags and without the words that `dropped` names by their index.
+template <class Dropped> std::string rest(std::string_view name, const std::vector<Word>& words, Dropped dropped)
 {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i].tag || (i >= first && i < last))
+        if (words[i].tag || dropped(i))
             continue;
         if (!text.empty() && words[i].separated)
             text += words[i].begin > 0 ? name[words[i].begin - 1] : '_';
@@ -350,30 +185,97 @@ std::string rest(std::string_view name, const std::vector<Word>& words, std::siz
     return text;
 }
 
+// DISP16: a bit depth. coll2: one of several takes.
+bool isKindsNumber(const Word& word)
+{
+    return word.number() && !word.separated && (word.text.size() == 1 || listed("16 32", word.text));
+}
+
+// What all files of a set share, as the user wrote it.
+std::string titleOf(std::string_view name, const std::vector<Word>& words, const Match& match)
+{
+    std::size_t tail = words.size(); // from here on no word says anything
+    while (tail > match.last && words[tail - 1].silent())
+        --tail;
+    const auto kindOrTake = [&](std::size_t i) { return (i >= match.first && i < match.last) || (i >= tail && words[i].version()); };
+    const bool numbered = match.last < words.size() && isKindsNumber(words[match.last]);
+    const std::string title = rest(name, words, [&](std::size_t i) { return kindOrTake(i) || (numbered && i == match.last); });
+    return title.empty() ? rest(name, words, kindOrTake) : title; // height1 and height2 are no takes of one map
+}
+
+// Of several takes the latest version is wanted, and no copy.
+int takeRank(const std::vector<Word>& words)
+{
+    int rank = 0;
+    for (const Word& word : words)
+        if (listed("copy old", word.text))
+            rank += 30;
+        else if (isVersion(word.text) && !word.text.starts_with("var"))
+            rank -= std::min(std::atoi(word.text.c_str() + word.text.find_first_of("0123456789")), 20);
+    return rank;
+}
+
 NameGuess guessOf(std::string_view name, const std::vector<Word>& words, const std::optional<Match>& match)
 {
     NameGuess guess;
-    guess.whole = normalised(rest(name, words, 0, 0));
-    guess.title = match ? rest(name, words, match->first, match->last) : rest(name, words, 0, 0);
+    guess.title = rest(name, words, [](std::size_t) { return false; });
+    guess.whole = normalised(guess.title);
+    for (const Word& word : words)
+        if (word.tag && isResolution(word.text))
+            guess.resolution = word.text;
+    if (match)
+        guess.title = titleOf(name, words, *match);
     guess.stem = normalised(guess.title);
     if (!match)
         return guess;
     guess.roles = match->meaning.roles;
     guess.packing = match->meaning.packing;
-    guess.rank = match->meaning.rank;
+    guess.rank = match->meaning.rank + takeRank(words);
     guess.convention = match->meaning.convention;
     guess.plain = {guess.roles.back().kind, Channel::Rgb};
     const std::string text = joined(words, match->first, match->last);
-    guess.weak = text.size() == 1 || text == "dx" || text == "rm";
-    guess.vague = text == "a";
+    guess.weak = text.size() == 1 || listed("dx rm bc nm hm", text);
+    guess.vague = text == "a" || text == "b";
     return guess;
+}
+
+// Blender's glTF exporter joins the names of the two maps it packs: "metallic-Rock_roughness".
+std::optional<NameGuess> joinedByBlender(std::string_view name)
+{
+    const std::size_t at = name.find('-');
+    if (at == name.npos || !lowered(name.substr(0, at)).ends_with("metallic"))
+        return std::nullopt;
+    const auto guess = [](std::string_view part) {
+        const std::vector<Word> words = wordsOf(part);
+        return guessOf(part, words, matchOf(words));
+    };
+    const NameGuess metal = guess(name.substr(0, at));
+    NameGuess both = guess(name.substr(at + 1));
+    if (both.roles != std::vector{MapRole{MapKind::Roughness}} || !(metal.stem.empty() || metal.stem == both.stem))
+        return std::nullopt;
+    both.roles = {{MapKind::Roughness, Channel::G}, {MapKind::Metallic, Channel::B}};
+    both.packing = Packing::Channels;
+    return both;
 }
 } // namespace
 
 NameGuess guessFromName(std::string_view name)
 {
+    if (std::optional<NameGuess> both = joinedByBlender(name))
+        return *both;
     const std::vector<Word> words = wordsOf(name);
     return guessOf(name, words, matchOf(words));
+}
+
+std::optional<NameGuess> withoutWorkflow(std::string_view name)
+{
+    std::vector<Word> words = wordsOf(name);
+    const std::optional<Match> last = matchOf(words);
+    if (!last || last->first == 0 || last->last < words.size() || !(words[last->first - 1].tag || words[last->first - 1].number()))
+        return std::nullopt;
+    words.resize(last->first);
+    const std::optional<Match> earlier = matchOf(words);
+    return earlier ? std::optional(guessOf(name, words, earlier)) : std::nullopt;
 }
 
 std::vector<NameGuess> otherReadings(std::string_view name)

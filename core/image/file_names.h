@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/image/texture_set.h"
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,8 +19,8 @@ struct MapRole {
 
 enum class Packing {
     None, // one map
-    Channels, // scalar maps in r, g, b: wants 3 channels
-    ColorAndAlpha, // a colour or normal with another map in alpha: wants an alpha that varies
+    Channels, // scalar maps in r, g, b and perhaps a: wants 3 channels or more
+    ColorAndAlpha, // a colour, specular or normal with another map in alpha: wants an alpha that varies
     Relief, // normal and depth in one of the papers' two forms: the pixels decide which
 };
 
@@ -31,8 +32,11 @@ struct NameGuess {
     Packing packing = Packing::None;
     MapRole plain{MapKind::Height}; // what a packed file is when it has no alpha: the last word's kind
     bool weak = false; // one letter: counts only when siblings of the same stem agree
-    bool vague = false; // the letter a: emission in a set with colours, if the pixels are mostly black; else no map
+    // The letter a: emission in a set with colours, if the pixels are mostly black; else no map.
+    // The letter b: base colour beside the packed maps of Megascans (ORDp, DpRA); else no map.
+    bool vague = false;
     int rank = 0; // 0 is the best word for its kind
+    std::string resolution; // "1k", "2048" ...: the tag that says so, lower case; "" without any
     Convention convention = Convention::Unsure; // GL, DX, Height or Depth when the name says so
 };
 
@@ -42,6 +46,10 @@ NameGuess guessFromName(std::string_view name);
 // What the name may mean instead, likeliest first: its last kind words alone ("HammeredMetal_Roughness" need not be metal and
 // roughness in one file), or no kind at all. Empty where guessFromName finds no kind.
 std::vector<NameGuess> otherReadings(std::string_view name);
+
+// Poliigon ends all names of a set in its workflow ("Tiles_COL_1K_METALNESS"): the reading without the last kind word, where it
+// follows a tag or number and an earlier kind word is left. Whether it is right depends on the siblings.
+std::optional<NameGuess> withoutWorkflow(std::string_view name);
 
 // cli.md's rule for an image without siblings.
 bool endsInDepth(std::string_view name);

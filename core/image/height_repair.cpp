@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <oneapi/tbb/parallel_for.h>
+#include <tuple>
 
 namespace relievo {
 namespace {
@@ -109,52 +110,112 @@ std::vector<float> scalarValues(const Image& image, Channel channel)
     return values;
 }
 
-ScalarTrouble scalarTrouble(const Image& image, Channel channel)
+namespace {
+// Finite minimum and maximum of the values above `floor`; (0, 0) without any.
+std::pair<double, double> rangeAbove(const std::vector<float>& values, double floor)
+{
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const float value : values)
+        if (std::isfinite(value) && double(value) > floor) {
+            low = std::min(low, double(value));
+            high = std::max(high, double(value));
+        }
+    return low <= high ? std::pair(low, high) : std::pair(0., 0.);
+}
+
+std::size_t countUpTo(const std::vector<float>& values, double floor)
+{
+    return std::size_t(std::ranges::count_if(values, [=](float v) { return std::isfinite(v) && double(v) <= floor; }));
+}
+
+// Elevation files mark gaps by a number far below all heights. Returns the largest value that stands for one; -infinity: there is none.
+double noDataFloor(const std::vector<float>& values, const Image& image)
+{
+    const double unit = image.storedFloat ? 1 : image.storedBits <= 16 ? 32767 : 2147483647; // signed integers arrive divided by it
+    const double lowest = rangeAbove(values, -HUGE_VAL).first;
+    const auto is = [&](double mark) { return std::abs(lowest * unit - mark) <= 1e-6 * std::abs(mark) + (image.storedFloat ? 0 : 0.5); };
+    const bool huge = lowest <= -1e30;
+    if (!huge && !is(-9999) && !is(-32768) && !is(-32767))
+        return -HUGE_VAL;
+    const double floor = huge ? -1e30 : lowest;
+    const auto [low, high] = rangeAbove(values, floor);
+    return low - floor > high - low && countUpTo(values, floor) < values.size() ? floor : -HUGE_VAL;
+}
+
+// The channel of a float image with its gaps as NaN.
+std::vector<float> gappedScalars(const Image& image, Channel channel, ScalarTrouble& trouble)
+{
+    std::vector<float> values = scalarValues(image, channel);
+    trouble.nonFinite = std::size_t(std::ranges::count_if(values, [](float v) { return !std::isfinite(v); }));
+    if (const double floor = noDataFloor(values, image); std::isfinite(floor)) {
+        trouble.noData = countUpTo(values, floor);
+        for (float& value : values)
+            if (double(value) <= floor)
+                value = NAN;
+    }
+    std::tie(trouble.low, trouble.high) = rangeAbove(values, -HUGE_VAL);
+    trouble.wholeNumbers = !image.storedFloat && (image.storedBits == 32 || trouble.noData > 0);
+    return values;
+}
+
+std::string texels(std::size_t count)
+{
+    return std::to_string(count) + (count == 1 ? " texel" : " texels");
+}
+} // namespace
+
+bool ScalarTrouble::rescales() const
+{
+    constexpr double kSlight = 0.01; // of the range: what resampling overshoots
+    if (beyond == Beyond::Clamped)
+        return false;
+    return wholeNumbers || std::max(-low, high - 1) > kSlight * (high - low);
+}
+
+ScalarTrouble scalarTrouble(const Image& image, Channel channel, Beyond beyond)
 {
     ScalarTrouble trouble;
-    if (image.type != PixelType::F32)
-        return trouble;
-    const std::vector<float> values = scalarValues(image, channel);
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const float value : values) {
-        if (!std::isfinite(value)) {
-            ++trouble.nonFinite;
-            continue;
-        }
-        low = std::min(low, double(value));
-        high = std::max(high, double(value));
-    }
-    trouble.low = low <= high ? low : 0;
-    trouble.high = low <= high ? high : 0;
+    trouble.beyond = beyond;
+    if (image.type == PixelType::F32)
+        gappedScalars(image, channel, trouble);
     return trouble;
 }
 
 Warnings warningsOf(const ScalarTrouble& trouble, const std::string& file)
 {
     Warnings warnings;
+    const std::string range = number(trouble.low) + " .. " + number(trouble.high);
     if (trouble.nonFinite > 0)
         warnings.push_back({"nan-repaired",
-            file + ": " + std::to_string(trouble.nonFinite) + (trouble.nonFinite == 1 ? " texel is" : " texels are")
+            file + ": " + texels(trouble.nonFinite) + (trouble.nonFinite == 1 ? " is" : " are")
                 + " not a number or infinite: replaced by the neighbours' mean"});
-    if (trouble.leavesRange())
+    if (trouble.noData > 0)
         warnings.push_back(
-            {"height-range", file + ": its values leave 0..1: mapped from " + number(trouble.low) + " .. " + number(trouble.high)});
+            {"no-data", file + ": " + texels(trouble.noData) + " without data (far below all others): replaced by the neighbours' mean"});
+    if (trouble.rescales())
+        warnings.push_back({"height-range",
+            file + (trouble.leavesRange() ? ": its values leave 0..1" : ": its values are whole numbers") + ": mapped from " + range});
+    else if (trouble.leavesRange())
+        warnings.push_back({"value-range", file + ": its values leave 0..1 (" + range + "): clamped"});
     return warnings;
 }
 
-std::vector<float> soundScalars(const Image& image, Channel channel, bool invert)
+std::vector<float> soundScalars(const Image& image, Channel channel, bool invert, Beyond beyond)
 {
-    std::vector<float> values = scalarValues(image, channel);
     double low = 0, span = 1;
+    std::vector<float> values;
     if (image.type == PixelType::F32) {
-        const ScalarTrouble trouble = scalarTrouble(image, channel);
-        if (trouble.nonFinite > 0)
+        ScalarTrouble trouble;
+        trouble.beyond = beyond;
+        values = gappedScalars(image, channel, trouble);
+        if (trouble.nonFinite + trouble.noData > 0)
             repairNonFinite(values, image.width, image.height, 1);
-        if (trouble.leavesRange()) {
+        if (trouble.rescales()) {
             low = trouble.low;
             span = trouble.high > trouble.low ? trouble.high - trouble.low : 1;
         }
-    }
+    } else
+        values = scalarValues(image, channel);
     const bool rescale = low != 0 || span != 1;
     oneapi::tbb::parallel_for(0, image.height, [&](int y) {
         const std::size_t from = std::size_t(y) * std::size_t(image.width), to = from + std::size_t(image.width);

@@ -20,16 +20,27 @@ std::size_t repairNonFinite(std::vector<float>& values, int width, int height, i
 // The channel as floats: integers / maximum, Rgb as the mean of three.
 std::vector<float> scalarValues(const Image& image, Channel channel);
 
-// What loading will do to these values, in the user's words: "nan-repaired", "height-range". `file` stands in the text.
+// What becomes of finite values outside [0, 1].
+enum class Beyond {
+    Rescaled, // heights: mapped from min..max, unless they leave [0, 1] by a hundredth of their range at most: then clamped
+    Clamped, // roughness, occlusion ...: their values mean something by themselves
+};
+
+// What loading will do to these values, in the user's words: "nan-repaired", "no-data", "height-range", "value-range".
 struct ScalarTrouble {
     std::size_t nonFinite = 0;
-    double low = 0, high = 1; // of the finite values
+    std::size_t noData = 0; // elevation's -9999, -32768 or -1e30 and less, far below all other values: filled like NaN
+    double low = 0, high = 1; // of the other values
+    bool wholeNumbers = false; // integers of 32 bits or with gaps: a count or elevation, never meant as shares of the largest number
+    Beyond beyond = Beyond::Rescaled;
     bool leavesRange() const { return low < 0 || high > 1; }
+    bool rescales() const; // false: what leaves the range is clamped
 };
-ScalarTrouble scalarTrouble(const Image& image, Channel channel);
+ScalarTrouble scalarTrouble(const Image& image, Channel channel, Beyond beyond = Beyond::Rescaled);
+// `file` stands in the texts.
 Warnings warningsOf(const ScalarTrouble& trouble, const std::string& file);
 
-// Repaired, mapped from min..max when a float map leaves [0, 1], and flipped when `invert`.
-std::vector<float> soundScalars(const Image& image, Channel channel, bool invert);
+// Repaired, brought into [0, 1] as `beyond` says (floats only), and flipped when `invert`. Integers are as stored.
+std::vector<float> soundScalars(const Image& image, Channel channel, bool invert, Beyond beyond = Beyond::Rescaled);
 
 } // namespace relievo

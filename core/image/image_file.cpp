@@ -20,6 +20,7 @@ namespace {
 struct Helper {
     std::mutex mutex;
     HelperProcess process;
+    HangGuard hangs;
 };
 Helper& helper()
 {
@@ -160,11 +161,15 @@ Expected<Reply> ask(Message message, const PacketWriter& packet, Payload payload
 {
     Helper& one = helper();
     const std::scoped_lock lock(one.mutex);
+    if (one.hangs.refuses(HangGuard::Clock::now()))
+        return failure(where, "the program relievo-imageio, which reads and writes images, hangs",
+            "Install it again, or set RELIEVO_IMAGEIO to another one; it is tried again after a minute");
     for (;;) {
         bool fresh = false;
         if (!one.process.ensureRunning(fresh))
             return tl::unexpected(inWords({"", "", HelperTrouble::NotFound}, message == Message::Write, where));
         tl::expected<Reply, Broken> reply = Conversation(one.process, progress).run(message, packet, payload);
+        one.hangs.note(reply ? HelperTrouble::None : reply.error().trouble, fresh, HangGuard::Clock::now());
         if (reply)
             return std::move(*reply);
         if (fresh || reply.error().trouble != HelperTrouble::Died)

@@ -78,14 +78,14 @@ void repairFloats(Image& image, const std::string& file, Warnings& warnings)
         warnings.push_back(std::move(warning));
 }
 
-// One channel. Floats are made sound (finite, in [0, 1]) as heights are.
+// One channel. Floats are made sound: finite, in [0, 1].
 Image scalarOf(const Image& image, const MapSlot& slot, const std::string& file, Warnings& warnings)
 {
     const Channel channel = scalarChannel(image, slot.channel);
     if (image.type == PixelType::F32) {
-        for (Warning& warning : warningsOf(scalarTrouble(image, channel), file))
+        for (Warning& warning : warningsOf(scalarTrouble(image, channel, Beyond::Clamped), file))
             warnings.push_back(std::move(warning));
-        const std::vector<float> values = soundScalars(image, channel, slot.invert);
+        const std::vector<float> values = soundScalars(image, channel, slot.invert, Beyond::Clamped);
         Image result = emptyLike(image, 1);
         std::memcpy(result.data.data(), values.data(), result.data.size());
         return result;

@@ -99,6 +99,22 @@ bool hasEqualRgb(const Image& image)
     return withTexels(image, [&](const auto* texels, float) { return equalRgb(texels, image.texelCount(), std::size_t(image.channels)); });
 }
 
+bool looksGrey(const Image& image)
+{
+    constexpr int kCells = 64; // along a side
+    constexpr float kTolerance = 0.03f; // of a cell's mean
+    if (hasEqualRgb(image))
+        return true;
+    const Plane red = coarse(image, Channel::R, kCells, kCells), green = coarse(image, Channel::G, kCells, kCells),
+                blue = coarse(image, Channel::B, kCells, kCells);
+    for (std::size_t i = 0; i < red.values.size(); ++i) {
+        const auto [low, high] = std::minmax({red.values[i], green.values[i], blue.values[i]});
+        if (high - low > kTolerance)
+            return false;
+    }
+    return true;
+}
+
 Channel scalarChannel(const Image& image, Channel channel)
 {
     return channel == Channel::Rgb && hasEqualRgb(image) ? Channel::R : channel;

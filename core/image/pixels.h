@@ -28,6 +28,7 @@ std::pair<int, int> channelRange(const Image& image, Channel channel);
 
 bool hasChannel(const Image& image, Channel channel);
 bool hasEqualRgb(const Image& image); // grey stored as colour; true for one or two channels
+bool looksGrey(const Image& image); // as hasEqualRgb, but for the small differences that JPEG leaves
 Channel scalarChannel(const Image& image, Channel channel); // Rgb becomes R where red is all there is to know
 std::pair<double, double> rangeOf(const Image& image, Channel channel); // min and max of its finite values; (0, 0) without any
 bool isMostlyBlack(const Image& image); // its colours' mean as stored is below 0.1: black with lights in it

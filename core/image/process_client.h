@@ -5,11 +5,29 @@
 #include "core/error.h"
 #include "core/image/imageio_protocol.h"
 #include "core/progress.h"
+#include <chrono>
 #include <memory>
 
 namespace relievo {
 
 enum class HelperTrouble { None, NotFound, Died, TimedOut, Cancelled };
+
+// Tells a hanging helper from a hanging file: two fresh helpers in a row that timed out are no file's fault.
+class HangGuard {
+public:
+    using Clock = std::chrono::steady_clock;
+    // Whether not to ask at all. After a while it may be tried again.
+    bool refuses(Clock::time_point now) const { return m_inARow >= 2 && now - m_last < std::chrono::minutes(1); }
+    void note(HelperTrouble trouble, bool fresh, Clock::time_point now)
+    {
+        m_inARow = trouble != HelperTrouble::TimedOut ? 0 : m_inARow + (fresh ? 1 : 0);
+        m_last = now;
+    }
+
+private:
+    int m_inARow = 0; // fresh helpers that timed out
+    Clock::time_point m_last;
+};
 
 // Not thread safe: one conversation at a time (the caller locks).
 class HelperProcess {

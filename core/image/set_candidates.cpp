@@ -13,14 +13,23 @@ bool isLossy(const std::filesystem::path& file)
     return suffix.size() >= 2 && (suffix[1] == 'j' || suffix[1] == 'J');
 }
 
-// Smaller is better.
-auto rankOf(const Candidate& candidate)
+// Smaller is better. Depth of bits outweighs size only where steps show: in heights.
+auto rankOf(const Candidate& candidate, MapKind kind)
 {
     const Convention convention = candidate.guess.convention;
     const int style = convention == Convention::DX ? 2 : convention == Convention::GL ? 0 : 1;
     const double texels = double(candidate.info.width) * candidate.info.height;
-    return std::tuple(!candidate.chosenByUser, candidate.info.storedBits <= 8, style, -texels, candidate.guess.packing != Packing::None,
-        candidate.guess.rank, isLossy(candidate.file), candidate.file.filename().string());
+    const bool shallow = candidate.info.storedBits <= 8;
+    return std::tuple(!candidate.chosenByUser, candidate.guess.rank == kNoKindRank, !candidate.likeChosen,
+        kind == MapKind::Height && shallow, style, -texels, shallow, candidate.guess.packing != Packing::None, candidate.guess.rank,
+        isLossy(candidate.file), candidate.file.filename().string());
+}
+
+std::vector<MapRole> packedRoles(const NameGuess& guess, int channels)
+{
+    std::vector<MapRole> roles = guess.roles;
+    std::erase_if(roles, [channels](const MapRole& role) { return int(role.channel) >= channels; });
+    return roles;
 }
 } // namespace
 
@@ -30,13 +39,14 @@ std::vector<MapRole> rolesByChannels(const NameGuess& guess, int channels)
     case Packing::None:
         return guess.roles;
     case Packing::Channels:
-        return channels >= 3 ? guess.roles : std::vector<MapRole>();
+        return channels >= 3 ? packedRoles(guess, channels) : std::vector<MapRole>();
     case Packing::ColorAndAlpha:
-        return channels == 4 ? guess.roles : std::vector<MapRole>{guess.plain};
+        return channels >= 3 ? std::vector<MapRole>{guess.roles.front(), channels == 4 ? guess.roles.back() : guess.plain}
+                             : std::vector<MapRole>{guess.plain};
     case Packing::Relief:
         break;
     }
-    return channels == 4 ? guess.roles : channels <= 2 ? std::vector<MapRole>{guess.plain} : std::vector<MapRole>();
+    return channels == 4 ? guess.roles : std::vector<MapRole>{channels <= 2 ? guess.plain : guess.roles.front()};
 }
 
 std::vector<Choice> chooseMaps(const std::vector<Candidate>& candidates)
@@ -46,7 +56,7 @@ std::vector<Choice> chooseMaps(const std::vector<Candidate>& candidates)
         std::optional<Choice> best;
         for (const Candidate& candidate : candidates)
             for (const MapRole& role : candidate.roles)
-                if (role.kind == row.kind && (!best || rankOf(candidate) < rankOf(*best->candidate)))
+                if (role.kind == row.kind && (!best || rankOf(candidate, row.kind) < rankOf(*best->candidate, row.kind)))
                     best = Choice{role, &candidate};
         if (best)
             choices.push_back(*best);

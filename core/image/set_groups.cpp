@@ -65,11 +65,16 @@ template <class Doubted> void takeOut(FileGroup& group, std::vector<NamedFile>& 
     std::erase_if(group.files, [](const NamedFile& file) { return file.guess.roles.empty(); });
 }
 
-// The letter a means emission only beside colours, and where nothing else does.
-bool vagueMayStay(const FileGroup& group)
+// The letter a means emission only beside colours, and where nothing else does; b means colour only beside Megascans' packed maps.
+bool vagueMayStay(const FileGroup& group, const NamedFile& vague)
 {
     FileGroup clear = group;
     std::erase_if(clear.files, [](const NamedFile& file) { return file.guess.vague; });
+    if (vague.guess.roles.front().kind == MapKind::Color)
+        return !clear.holds(MapKind::Color) && std::ranges::any_of(clear.files, [](const NamedFile& file) {
+            return file.guess.packing == Packing::Channels
+                && std::ranges::any_of(file.guess.roles, [](const MapRole& role) { return role.kind == MapKind::Height; });
+        });
     const bool weakOnly = std::ranges::all_of(clear.files, [](const NamedFile& file) { return file.guess.weak; });
     return clear.holds(MapKind::Color) && !clear.holds(MapKind::Emission) && (!weakOnly || clear.kinds() >= 2);
 }
@@ -79,8 +84,8 @@ std::vector<NamedFile> takeDoubtful(Groups& groups)
 {
     std::vector<NamedFile> doubtful;
     for (auto& [stem, group] : groups) {
-        if (!vagueMayStay(group))
-            takeOut(group, doubtful, [](const NamedFile& file) { return file.guess.vague; });
+        const FileGroup before = group;
+        takeOut(group, doubtful, [&](const NamedFile& file) { return file.guess.vague && !vagueMayStay(before, file); });
         const bool weakOnly = std::ranges::all_of(group.files, [](const NamedFile& file) { return file.guess.weak; });
         if (weakOnly && group.kinds() < 2)
             takeOut(group, doubtful, [](const NamedFile&) { return true; });
@@ -97,21 +102,66 @@ std::vector<NamedFile> readNames(std::span<const fs::path> files)
     return named;
 }
 
+// Files whose names all end in one workflow are read without it; what the siblings do not share is part of the name.
+void dropWorkflows(std::vector<NamedFile>& files)
+{
+    struct WouldBe {
+        std::set<MapKind> kinds, workflows;
+        std::vector<std::pair<NamedFile*, NameGuess>> members;
+    };
+    std::map<std::string, WouldBe> groups;
+    for (NamedFile& file : files)
+        if (std::optional<NameGuess> reading = withoutWorkflow(file.file.stem().string())) {
+            WouldBe& group = groups[reading->stem];
+            group.kinds.insert(reading->roles.front().kind);
+            group.workflows.insert(file.guess.roles.front().kind);
+            group.members.emplace_back(&file, std::move(*reading));
+        }
+    for (const NamedFile& file : files) // one that has no workflow shows that the others have none
+        if (const auto found = groups.find(file.guess.stem); found != groups.end() && !file.guess.roles.empty())
+            groups.erase(found);
+    for (auto& [stem, group] : groups)
+        if (group.workflows.size() == 1 && group.kinds.size() > 1)
+            for (auto& [file, reading] : group.members)
+                file->guess = std::move(reading);
+}
+
+// How many of the files share a stem under some reading; `sure` leaves out readings by one letter.
+struct StemCounts {
+    std::map<std::string, int> all, sure;
+    explicit StemCounts(const std::vector<NamedFile>& files)
+    {
+        for (const NamedFile& file : files) {
+            std::set<std::string> ours, oursSure;
+            std::vector<NameGuess> readings = otherReadings(file.file.stem().string());
+            readings.push_back(file.guess);
+            for (const NameGuess& reading : readings)
+                if (!reading.roles.empty()) {
+                    ours.insert(reading.stem);
+                    if (!reading.weak)
+                        oursSure.insert(reading.stem);
+                }
+            for (const std::string& stem : ours)
+                ++all[stem];
+            for (const std::string& stem : oursSure)
+                ++sure[stem];
+        }
+    }
+};
+
 // A material's own name may end in a kind word ("HammeredMetal"): the reading that shares its stem with most others wins.
 void rereadBySiblings(std::vector<NamedFile>& files)
 {
-    std::map<std::string, int> all, sure; // files that name a kind, by stem; sure: by more than a letter
-    for (const NamedFile& file : files) {
-        all[file.guess.stem] += !file.guess.roles.empty();
-        sure[file.guess.stem] += !file.guess.roles.empty() && !file.guess.weak;
-    }
+    StemCounts counts(files);
     for (NamedFile& file : files) {
-        int most = all[file.guess.stem] - 1;
-        for (NameGuess& other : otherReadings(file.file.stem().string()))
-            if (const auto found = sure.find(other.stem); found != sure.end() && found->second > most) {
-                most = found->second;
+        int most = counts.all[file.guess.stem] - 1;
+        for (NameGuess& other : otherReadings(file.file.stem().string())) {
+            const int others = counts.sure[other.stem] - (!other.roles.empty() && !other.weak);
+            if (others > most) {
+                most = others;
                 file.guess = std::move(other);
             }
+        }
     }
 }
 } // namespace
@@ -137,6 +187,7 @@ std::vector<FileGroup> groupFiles(std::span<const fs::path> files)
     Groups groups;
     std::vector<NamedFile> without;
     std::vector<NamedFile> all = readNames(files);
+    dropWorkflows(all);
     rereadBySiblings(all);
     for (NamedFile& named : all) {
         if (named.guess.roles.empty()) {

@@ -10,6 +10,9 @@
 
 namespace relievo {
 
+// Of a file that bears the set's name and no kind.
+inline constexpr int kNoKindRank = 99;
+
 struct NamedFile {
     std::filesystem::path file;
     NameGuess guess; // roles are empty where the name says nothing or siblings do not agree

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/set_measure.h"
+#include "core/file.h"
 #include "core/image/convention.h"
+#include "core/image/file_names.h"
 #include "core/image/height_repair.h"
 #include "core/image/pixels.h"
 #include <algorithm>
@@ -37,6 +39,11 @@ void measureOne(const TextureSet& set, FoundMap& map)
     map.min = low;
     map.max = high;
     map.convention = row(map.kind).isColor && image.type != PixelType::F32 ? Convention::Srgb : Convention::Linear;
+}
+
+Warning directXWarning(const std::filesystem::path& file)
+{
+    return {"normal-directx", file.filename().string() + " is DirectX style: converted"};
 }
 
 std::string percent(double correlation)
@@ -90,12 +97,30 @@ void tellConversions(TextureSet& set)
     }
     if (const FoundMap* normal = find(set, MapKind::Normal)) {
         if (normal->convention == Convention::DX)
-            set.warnings.push_back({"normal-directx", nameOf(*normal) + " is DirectX style: converted"});
+            set.warnings.push_back(directXWarning(normal->file));
         if (normal->convention == Convention::Unsure)
             set.warnings.push_back({"normal-unsure", nameOf(*normal) + " shows no direction style: taken as OpenGL"});
     }
 }
 } // namespace
+
+MapSlot slotByHand(MapKind kind, const std::filesystem::path& given, DecodedImages& images, Warnings& warnings)
+{
+    const std::filesystem::path file = absolutePath(given);
+    const std::string stem = file.stem().string();
+    MapSlot slot{file.string(), Channel::Rgb, kind == MapKind::Height && endsInDepth(stem)};
+    if (kind != MapKind::Normal)
+        return slot;
+    if (!images.contains(file))
+        if (Expected<ImageRead> read = readImage(file))
+            images[file] = std::make_shared<const ImageRead>(std::move(*read));
+    const auto found = images.find(file);
+    const Convention named = guessFromName(stem).convention;
+    slot.invert = (found == images.end() ? named : normalByItself(found->second->image, named)) == Convention::DX;
+    if (slot.invert)
+        warnings.push_back(directXWarning(file));
+    return slot;
+}
 
 void measureMaps(TextureSet& set, const NamedConventions& named)
 {

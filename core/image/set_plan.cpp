@@ -114,7 +114,7 @@ void addGroup(const FileGroup& group, SetPlan& plan)
     for (NamedFile file : group.plain) {
         if (!group.files.empty()) {
             file.guess.roles = {{MapKind::Color, Channel::Rgb}};
-            file.guess.rank = 99;
+            file.guess.rank = kNoKindRank;
         }
         plan.files.push_back(std::move(file));
     }
@@ -126,6 +126,7 @@ NamedFile asHeight(const fs::path& file)
     NamedFile named{file, guessFromName(file.stem().string())};
     named.guess.roles = {{MapKind::Height, Channel::Rgb}};
     named.guess.packing = Packing::None;
+    named.guess.weak = named.guess.vague = false;
     named.guess.convention = endsInDepth(file.stem().string()) ? Convention::Depth : Convention::Height;
     return named;
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/texture_set.h"
+#include "core/file.h"
 #include "core/image/convention.h"
 #include "core/image/pixels.h"
 #include "core/image/set_candidates.h"
@@ -14,6 +15,8 @@
 namespace relievo {
 namespace fs = std::filesystem;
 namespace {
+constexpr double kNormalShare = 0.8; // of texels that are unit vectors, as in relief textures
+
 class Opener {
 public:
     Opener(SetPlan plan, const fs::path& source, const Progress& progress) : m_plan(std::move(plan)), m_source(source), m_progress(progress)
@@ -21,6 +24,9 @@ public:
         m_set.name = m_plan.name;
         m_set.folder = m_plan.folder;
         m_set.warnings = m_plan.warnings;
+        for (const NamedFile& file : m_plan.files)
+            if (file.file == m_source)
+                m_resolution = file.guess.resolution;
     }
 
     Expected<TextureSet> run()
@@ -35,8 +41,8 @@ public:
         if (m_progress.cancelled())
             return failure(m_source.string(), "cancelled");
         if (choices.empty())
-            return tl::unexpected(
-                m_firstError.value_or(Error{"none of the images can be used", m_source.string(), "See the warnings of each"}));
+            return tl::unexpected(m_firstError.value_or(Error{"none of the images can be used", m_source.string(),
+                m_set.warnings.empty() ? "See the warnings of each" : m_set.warnings.front().text}));
         findAlphaHeight(choices);
         fill(choices);
         measureMaps(m_set, named(choices));
@@ -60,8 +66,24 @@ private:
                 broken(file.file, info.error());
                 continue;
             }
-            m_candidates.push_back({file.file, file.guess, rolesByChannels(file.guess, info->channels), *info, file.file == m_source});
+            m_candidates.push_back(candidateOf(file, *info));
         }
+    }
+
+    Candidate candidateOf(const NamedFile& file, const ImageInfo& info)
+    {
+        Candidate candidate{file.file, file.guess, rolesByChannels(file.guess, info.channels), info, file.file == m_source};
+        candidate.likeChosen = !file.guess.resolution.empty() && file.guess.resolution == m_resolution;
+        if (candidate.roles.empty() && !file.guess.roles.empty())
+            ignore(candidate, "has too few channels (" + std::to_string(info.channels) + ") for the maps that its name promises");
+        return candidate;
+    }
+
+    // Takes the file's roles away.
+    void ignore(Candidate& candidate, const std::string& why)
+    {
+        candidate.roles.clear();
+        m_set.warnings.push_back({"ignored-file", candidate.file.filename().string() + " " + why + ": not used"});
     }
 
     void decode(const std::vector<Choice>& choices)
@@ -93,37 +115,64 @@ private:
         m_set.images[file] = std::make_shared<const ImageRead>(std::move(*read));
     }
 
-    // Whether any decoded file gives less than its name promised.
+    // Whether any decoded file gives other maps than its name promised.
     bool lookAtPixels()
     {
-        const std::size_t before = roleCount();
+        bool changed = m_lost;
         for (Candidate& candidate : m_candidates)
-            if (const auto found = m_set.images.find(candidate.file); found != m_set.images.end())
+            if (const auto found = m_set.images.find(candidate.file); found != m_set.images.end()) {
+                const std::vector<MapRole> before = candidate.roles;
                 judge(candidate, found->second->image);
-        const bool changed = roleCount() != before || m_lost;
+                changed = changed || candidate.roles != before;
+            }
         m_lost = false;
         return changed;
     }
 
-    std::size_t roleCount() const
-    {
-        std::size_t count = 0;
-        for (const Candidate& candidate : m_candidates)
-            count += candidate.roles.size();
-        return count;
-    }
-
     void judge(Candidate& candidate, const Image& image)
     {
-        if (candidate.guess.packing == Packing::ColorAndAlpha && candidate.roles.size() == 2 && !alphaVaries(image))
-            candidate.roles.pop_back();
-        if (candidate.guess.vague && !candidate.roles.empty() && !isMostlyBlack(image)) {
-            candidate.roles.clear();
-            m_set.warnings.push_back({"ignored-file",
-                candidate.file.filename().string() + " is too bright for the emission map that its letter a may mean: not used"});
-        }
-        if (candidate.guess.packing != Packing::Relief || candidate.roles.size() != 2)
+        if (candidate.roles.empty())
             return;
+        const MapRole first = candidate.roles.front();
+        if (candidate.guess.packing == Packing::ColorAndAlpha && candidate.roles.size() == 2)
+            judgePair(candidate, image);
+        else if (candidate.guess.packing == Packing::Channels)
+            std::erase_if(
+                candidate.roles, [&](const MapRole& role) { return role.channel == Channel::A && rangeOf(image, Channel::A).first == 1; });
+        else if (candidate.guess.packing == Packing::Relief)
+            judgeRelief(candidate, image);
+        else if (first.kind == MapKind::Emission && candidate.guess.vague && !isMostlyBlack(image))
+            ignore(candidate, "is too bright for the emission map that its letter a may mean");
+        else if (first == MapRole{MapKind::Opacity} && !looksGrey(image))
+            ignore(candidate, "is named an opacity mask, but its red, green and blue differ");
+        else if (first == MapRole{MapKind::Height} && holdsNormals(image)) {
+            candidate.roles = {{MapKind::Normal, Channel::Rgb}};
+            m_set.warnings.push_back(
+                {"normal-named-height", candidate.file.filename().string() + " holds normals, not heights: used as the normal map"});
+        }
+    }
+
+    static bool holdsNormals(const Image& image)
+    {
+        return image.channels >= 3 && !alphaVaries(image) && !looksGrey(image) && unitShare(image) > kNormalShare;
+    }
+
+    // A colour or normal with another map in alpha; where there is no alpha to speak of, one of the two.
+    static void judgePair(Candidate& candidate, const Image& image)
+    {
+        const bool isFirst
+            = image.channels == 4 || (candidate.roles.front().kind == MapKind::Normal ? holdsNormals(image) : !looksGrey(image));
+        if (!alphaVaries(image))
+            candidate.roles = {isFirst ? candidate.roles.front() : candidate.roles.back()};
+    }
+
+    void judgeRelief(Candidate& candidate, const Image& image)
+    {
+        if (candidate.roles.size() == 1) { // no alpha
+            if (candidate.roles.front().kind == MapKind::Normal && !holdsNormals(image))
+                ignore(candidate, "is named a relief texture, but holds no normals");
+            return;
+        }
         const ReliefForm form = reliefForm(image, true);
         if (form == ReliefForm::None)
             candidate.roles.clear();
@@ -208,6 +257,7 @@ private:
     const Progress& m_progress;
     TextureSet m_set;
     std::vector<Candidate> m_candidates; // not resized after readHeaders: choices point into it
+    std::string m_resolution; // the tag in the name of SOURCE
     std::optional<Error> m_firstError;
     bool m_relief = false; // the height comes from a relief texture
     bool m_lost = false; // a chosen file could not be decoded
@@ -227,10 +277,7 @@ Expected<TextureSet> openTextureSet(const fs::path& source, const Progress& prog
 {
     if (source.empty())
         return failure("SOURCE", "there is no such file or folder", "Check the path");
-    std::error_code code;
-    fs::path path = fs::absolute(source, code).lexically_normal();
-    if (!path.has_filename())
-        path = path.parent_path();
+    const fs::path path = absolutePath(source);
     Expected<SetPlan> plan = planSource(path);
     if (!plan)
         return tl::unexpected(plan.error());

@@ -150,6 +150,8 @@ void tellPeculiarities(Picture& picture, std::span<const std::byte> start)
         picture.warnings.emplace_back("channels", "only the first 4 of its " + std::to_string(count) + " channels are used");
     if (isCmyk(picture.spec))
         picture.warnings.emplace_back("cmyk", "the image is stored as CMYK and was converted to RGB without a colour profile");
+    if (picture.spec.get_int_attribute("Orientation", 1) > 1)
+        picture.warnings.emplace_back("orientation", "the image is stored turned (by its orientation tag): shown as stored");
     const int parts = picture.spec.get_int_attribute("oiio:subimages", 1);
     if (parts > 1)
         picture.warnings.emplace_back("parts", "only the first of its " + std::to_string(parts) + " parts is used");

@@ -57,7 +57,19 @@ struct NodeExtent {
     int x0, x1, y0, y1;
 };
 
-// One texel's search. Leaf:
+// Four texels beside each other are searched together: they see nearly the same of the field.
+inline constexpr int kLanes = 4;
+using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int)))); // -1 where true
+
+inline bool any(LaneMask mask)
+{
+    using Halves = long long __attribute__((vector_size(sizeof(LaneMask))));
+    const Halves halves = (Halves)mask;
+    return (halves[0] | halves[1]) != 0;
+}
+
+// The search of kLanes texels. Leaf:
 // float ratio(int i, int j, int x, int y, float apex): the smallest ratio of item (i, j), whose near corner lies x, y texels from the
 //   apex, or up to 0.1 % less; kWidestCone when it is no obstacle;
 // bool mayLimit(int level, int i, int j, const NodeExtent&): false when no item of the node is an obstacle; kAsCheapAsBound: whether ratio
@@ -77,28 +89,37 @@ public:
     {
     }
 
-    // Texel (x, y) of the mirrored field. Rows in their order are fast: what limited the texels before and above is tried first.
-    void search(int x, int y, ConeBounds& bounds)
+    // Texels (x, y) to (x + count - 1, y) of the mirrored field, count <= kLanes. Rows in their order are fast: what limited the texels
+    // before and above is tried first.
+    void search(int x, int y, int count, std::array<ConeBounds, kLanes>& bounds)
     {
         m_x = x;
         m_y = y;
-        m_apex = m_quadrant.field.texels()[std::size_t(y) * std::size_t(m_width) + std::size_t(x)];
-        if (m_highest <= m_apex)
+        for (int k = 0; k < kLanes; ++k) { // lanes beyond the last texel search nothing
+            m_apex[k] = k < count ? m_quadrant.field.texels()[std::size_t(y) * std::size_t(m_width) + std::size_t(x + k)] : m_highest;
+            m_safe[k] = bounds[std::size_t(k)].safe;
+            m_reached[k] = bounds[std::size_t(k)].reached;
+        }
+        if (!any(m_apex < m_highest))
             return;
-        Item& above = m_limits[std::size_t(x)];
-        tryFirst(above, bounds);
-        if (x > 0)
-            tryFirst(m_limits[std::size_t(x - 1)], bounds);
+        for (int k = 0; k < count; ++k) {
+            tryFirst(k, m_limits[std::size_t(x + k)]);
+            if (x > 0)
+                tryFirst(k, m_limits[std::size_t(x - 1)]);
+        }
         m_limit = {};
         const bool repeats = m_quadrant.field.wrap() == Wrap::Repeat;
-        for (int ring = 0; ring == 0 || (repeats && ringDistance(ring) < bounds.safe * (m_highest - m_apex)); ++ring)
+        for (int ring = 0; ring == 0 || (repeats && any(ringDistance(ring) < m_safe * (m_highest - m_apex))); ++ring)
             for (int k = 0; k <= ring; ++k) {
-                visitTile(ring, k, bounds);
+                visitTile(ring, k);
                 if (k != ring)
-                    visitTile(k, ring, bounds);
+                    visitTile(k, ring);
             }
-        if (m_limit.x >= 0)
-            above = m_limit;
+        for (int k = 0; k < count; ++k) {
+            if (m_limit[std::size_t(k)].x >= 0)
+                m_limits[std::size_t(x + k)] = m_limit[std::size_t(k)];
+            bounds[std::size_t(k)] = {m_safe[k], m_reached[k]};
+        }
     }
 
 private:
@@ -109,15 +130,13 @@ private:
         int x = -1, y = -1;
     };
 
-    float ringDistance(int ring) const
+    Lanes ringDistance(int ring) const
     {
-        return std::min(float(ring * m_width - m_x) * m_du, float(ring * m_height - m_y) * m_dv) * kConeMargin;
+        const Lanes u = (float(ring * m_width - m_x) - kLane) * m_du;
+        const float v = float(ring * m_height - m_y) * m_dv;
+        return (u < v ? u : Lanes{} + v) * kConeMargin;
     }
-    float squaredDistance(int x, int y) const
-    {
-        const float u = float(x) * m_du, v = float(y) * m_dv;
-        return u * u + v * v;
-    }
+    // As far as the node lies in the quadrant of the first texel.
     NodeExtent extent(const Node& node, int left, int top) const
     {
         const int x = left + (node.i << node.level), y = top + (node.j << node.level), size = 1 << node.level;
@@ -130,26 +149,27 @@ private:
         return m_wedge == Wedge::AlongU ? std::int64_t(e.x1) * m_height < std::int64_t(e.y0) * m_width
                                         : std::int64_t(e.y1) * m_width < std::int64_t(e.x0) * m_height;
     }
+    static NodeExtent seenFrom(int lane, const NodeExtent& e) { return {std::max(e.x0 - lane, 0), e.x1 - lane, e.y0, e.y1}; }
 
-    void tryFirst(const Item& item, ConeBounds& bounds)
+    void tryFirst(int lane, const Item& item)
     {
-        const int x = item.x - m_x, y = item.y - m_y;
+        const int x = item.x - m_x - lane, y = item.y - m_y;
         if (x >= 0 && y >= 0 && !outsideWedge({x, x, y, y}))
-            leaf(item.x % m_width, item.y % m_height, x, y, bounds);
+            leaf(lane, item.x % m_width, item.y % m_height, x, y);
     }
 
-    void leaf(int i, int j, int x, int y, ConeBounds& bounds)
+    void leaf(int lane, int i, int j, int x, int y)
     {
-        const float ratio = m_leaf.ratio(i, j, x, y, m_apex);
-        if (ratio < bounds.reached) {
-            bounds.reached = ratio;
-            m_limit = {m_x + x, m_y + y};
+        const float ratio = m_leaf.ratio(i, j, x, y, m_apex[lane]);
+        if (ratio < m_reached[lane]) {
+            m_reached[lane] = ratio;
+            m_limit[std::size_t(lane)] = {m_x + lane + x, m_y + y};
         }
-        bounds.safe = std::min(bounds.safe, ratio);
+        m_safe[lane] = std::min(m_safe[lane], ratio);
     }
 
     // Depth first, near nodes before far ones.
-    void visitTile(int tileX, int tileY, ConeBounds& bounds)
+    void visitTile(int tileX, int tileY)
     {
         const int left = tileX * m_width - m_x, top = tileY * m_height - m_y;
         std::array<Node, 3 * 32> stack;
@@ -157,7 +177,7 @@ private:
         stack[count++] = {m_quadrant.items.top(), 0, 0};
         while (count > 0) {
             const Node node = stack[--count];
-            if (!opens(node, left, top, bounds))
+            if (!opens(node, left, top))
                 continue;
             const MaxLevels::Level& below = m_quadrant.items.levels[std::size_t(node.level) - 1];
             const int i = 2 * node.i, j = 2 * node.j;
@@ -172,38 +192,47 @@ private:
         }
     }
 
-    // Whether the node's children must be looked at; a leaf and a node taken at its bound change `bounds`.
-    bool opens(const Node& node, int left, int top, ConeBounds& bounds)
+    // Whether the node's children must be looked at for any of the texels; a leaf and a node taken at its bound change their bounds.
+    bool opens(const Node& node, int left, int top)
     {
-        const float reach = m_quadrant.items.at(node.level, node.i, node.j) - m_apex;
-        if (!(reach > 0.f))
-            return false;
+        const Lanes reach = m_quadrant.items.at(node.level, node.i, node.j) - m_apex;
         const NodeExtent e = extent(node, left, top);
         if (e.x1 < 0 || e.y1 < 0)
             return false;
-        const float distance = squaredDistance(e.x0, e.y0), limit = bounds.safe * reach;
-        if (distance >= limit * limit || outsideWedge(e) || !m_leaf.mayLimit(node.level, node.i, node.j, e))
+        const Lanes across = (float(e.x0) - kLane) * m_du, u = across > 0.f ? across : Lanes{}, limit = m_safe * reach;
+        const float v = float(e.y0) * m_dv;
+        const Lanes distance = u * u + v * v; // squared
+        LaneMask open = (reach > 0.f) & (distance < limit * limit) & (kLane <= float(e.x1));
+        if (m_wedge != Wedge::All)
+            for (int k = 0; k < kLanes; ++k)
+                open[k] = outsideWedge(seenFrom(k, e)) ? 0 : open[k];
+        if (!any(open) || !m_leaf.mayLimit(node.level, node.i, node.j, {std::max(e.x0 - kLanes + 1, 0), e.x1, e.y0, e.y1}))
             return false;
-        const float kept = kConeKeep * bounds.reached * reach;
-        if (distance >= kept * kept && (node.level > 0 || !Leaf::kAsCheapAsBound)) {
-            bounds.safe = std::sqrt(distance) / reach;
-            return false;
+        if (node.level > 0 || !Leaf::kAsCheapAsBound) {
+            const Lanes kept = kConeKeep * m_reached * reach;
+            const LaneMask taken = open & (distance >= kept * kept);
+            for (int k = 0; any(taken) && k < kLanes; ++k)
+                m_safe[k] = taken[k] != 0 ? std::sqrt(distance[k]) / reach[k] : m_safe[k];
+            open &= ~taken;
         }
         if (node.level > 0)
-            return true;
-        leaf(node.i, node.j, e.x0, e.y0, bounds);
+            return any(open);
+        for (int k = 0; k < kLanes; ++k)
+            if (open[k] != 0)
+                leaf(k, node.i, node.j, std::max(e.x0 - k, 0), e.y0);
         return false;
     }
 
+    static constexpr Lanes kLane = {0.f, 1.f, 2.f, 3.f};
     const ConeQuadrant& m_quadrant;
     const Leaf& m_leaf;
     Wedge m_wedge;
     int m_width, m_height;
     float m_du, m_dv, m_highest;
     std::vector<Item> m_limits; // of the texels before in this row and of the others in the row above
-    Item m_limit;
-    int m_x = 0, m_y = 0;
-    float m_apex = 0.f;
+    int m_x = 0, m_y = 0; // the first texel
+    Lanes m_apex{}, m_safe{}, m_reached{};
+    std::array<Item, kLanes> m_limit;
 };
 
 // Narrows each texel's bounds by the quadrant's obstacles.
@@ -219,15 +248,21 @@ void searchQuadrant(
     tbb::parallel_for(0, blocks, [&](int block) {
         ConeSearch<Leaf> search(quadrant, wedge, leaf); // anew for each block: the same map however the blocks are shared out
         for (int y = block * kRows; y < std::min((block + 1) * kRows, height); ++y) {
-            for (int x = 0; x < width; ++x) {
+            for (int x = 0; x < width; x += kLanes) {
                 if (x % 32 == 0 && progress.cancelled())
                     return;
-                const int toX = quadrant.mirrorU ? width - 1 - x : x, toY = quadrant.mirrorV ? height - 1 - y : y;
-                const std::size_t texel = std::size_t(toY) * std::size_t(width) + std::size_t(toX);
-                ConeBounds bounds{view.safe[texel * view.safeStride], view.reached[texel * view.reachedStride]};
-                search.search(x, y, bounds);
-                view.safe[texel * view.safeStride] = bounds.safe;
-                view.reached[texel * view.reachedStride] = bounds.reached;
+                const int count = std::min(kLanes, width - x), toY = quadrant.mirrorV ? height - 1 - y : y;
+                const auto texel = [&](int k) {
+                    return std::size_t(toY) * std::size_t(width) + std::size_t(quadrant.mirrorU ? width - 1 - x - k : x + k);
+                };
+                std::array<ConeBounds, kLanes> bounds;
+                for (int k = 0; k < count; ++k)
+                    bounds[std::size_t(k)] = {view.safe[texel(k) * view.safeStride], view.reached[texel(k) * view.reachedStride]};
+                search.search(x, y, count, bounds);
+                for (int k = 0; k < count; ++k) {
+                    view.safe[texel(k) * view.safeStride] = bounds[std::size_t(k)].safe;
+                    view.reached[texel(k) * view.reachedStride] = bounds[std::size_t(k)].reached;
+                }
             }
         }
         progress.at(from + (to - from) * float(++done) / float(blocks));

@@ -10,6 +10,7 @@
 namespace relievo {
 
 namespace {
+constexpr std::size_t kMostAtEdge = 16; // of more triangles at one edge no one can say which goes on
 constexpr float kHard = 0.866f; // cosine between normals; sheets that lean less overlap enough to be taken for one
 
 const Vertex& corner(const Mesh& mesh, std::uint32_t edge)
@@ -42,14 +43,23 @@ std::vector<std::uint32_t> edgesAcross(const Mesh& mesh)
         = [&](std::uint32_t from, std::uint32_t to) { return std::uint64_t(place[mesh.indices[from]]) << 32 | place[mesh.indices[to]]; };
     std::unordered_multimap<std::uint64_t, std::uint32_t> byEnds;
     byEnds.reserve(mesh.indices.size());
+    const auto isPoint = [&](std::uint32_t e) { return place[mesh.indices[e]] == place[mesh.indices[nextCorner(e)]]; };
     for (std::uint32_t e = 0; e < mesh.indices.size(); ++e)
-        byEnds.emplace(key(e, nextCorner(e)), e);
+        if (!isPoint(e))
+            byEnds.emplace(key(e, nextCorner(e)), e);
     for (std::uint32_t e = 0; e < mesh.indices.size(); ++e) {
-        const auto [from, to] = byEnds.equal_range(key(nextCorner(e), e));
-        for (auto other = from; other != to; ++other) // where several meet, the one that turns least
+        const std::uint64_t back = key(nextCorner(e), e);
+        std::size_t count = 0;
+        // Where several meet, the one that turns least. Not by equal_range, which walks through all of them.
+        for (auto other = byEnds.find(back); other != byEnds.end() && other->first == back; ++other) {
+            if (++count > kMostAtEdge) {
+                across[e] = kNoEdge;
+                break;
+            }
             if (goesOn(mesh, e, other->second)
                 && (across[e] == kNoEdge || cosineBetween(mesh, e, across[e]) < cosineBetween(mesh, e, other->second)))
                 across[e] = other->second;
+        }
     }
     return across;
 }

@@ -14,6 +14,8 @@ namespace relievo {
 namespace {
 constexpr double kStraight = 1e-3; // UV: how far corners may lie off a segment that stands for several edges
 
+constexpr std::size_t kLongestRun = 256; // edges in one segment: all are looked at again for each
+
 using Point = std::complex<double>; // in UV space
 Point point(glm::vec2 uv)
 {
@@ -31,6 +33,11 @@ struct Edges {
 
     const Vertex& corner(std::uint32_t edge) const { return mesh.vertices[mesh.indices[edge]]; }
     Point uv(std::uint32_t edge) const { return point(corner(edge).uv); }
+    bool hasUVArea(std::uint32_t triangle) const
+    {
+        const Point a = uv(3 * triangle), b = uv(3 * triangle + 1) - a, c = uv(3 * triangle + 2) - a;
+        return std::imag(std::conj(b) * c) != 0.;
+    }
     // Whether v runs against the triangle's turn, so that its inside lies on the left of its edges where v points up.
     bool upright(std::uint32_t triangle) const
     {
@@ -92,13 +99,13 @@ void addBorders(const Edges& edges, Queue& queue)
     std::unordered_map<std::uint32_t, std::uint32_t> byFirst; // border edge that begins at a vertex
     std::vector<std::uint32_t> borders;
     for (std::uint32_t e = 0; e < edges.across.size(); ++e)
-        if (edges.across[e] == kNoEdge)
+        if (edges.across[e] == kNoEdge && edges.hasUVArea(e / 3))
             byFirst[edges.mesh.indices[e]] = e, borders.push_back(e);
     std::vector<char> done(edges.across.size(), 0);
     std::uint32_t number = 0;
     for (const std::uint32_t first : borders) {
         std::vector<std::uint32_t> run;
-        for (std::uint32_t e = first; !done[e];) {
+        for (std::uint32_t e = first; !done[e] && run.size() < kLongestRun;) {
             const Segment whole{edges.uv(first), edges.uv(nextCorner(e))};
             if (std::ranges::any_of(run, [&](std::uint32_t r) { return distance(edges.uv(nextCorner(r)), whole) > kStraight; }))
                 break;

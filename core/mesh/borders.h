@@ -17,8 +17,8 @@ struct Borders {
     std::vector<glm::vec4> segments;
 };
 
-// A border is an edge that edgesAcross joins to none. reach: UV units; perTriangle: the most segments a triangle has; budget: that all
-// have, beyond it the farthest of each triangle are left out.
+// A border is an edge that edgesAcross joins to none, of a triangle with an area in UV space. reach: UV units; perTriangle: the most
+// segments a triangle has; budget: that all have, beyond it the farthest of each triangle are left out.
 struct BorderLimits {
     float reach = 0.5f;
     std::uint32_t perTriangle = 24;

@@ -87,6 +87,20 @@ void repairAttributes(RawMesh& raw)
         raw.warn("uvs-repaired", counted(uvs, "corner has a UV that is", "corners have UVs that are") + " not finite; they were left out.");
 }
 
+void tellLosses(RawMesh& raw)
+{
+    if (raw.shortFaces > 0)
+        raw.warn("triangles-dropped", counted(raw.shortFaces, "face of", "faces of") + " fewer than three corners cannot be shown.");
+    if (raw.fannedPolygons > 0)
+        raw.warn("polygons-fanned",
+            counted(raw.fannedPolygons, "polygon has", "polygons have")
+                + " more than 1000 corners and bends inwards; it may cover too much. Split it into triangles.");
+    if (raw.cutNumbers > 0)
+        raw.warn("numbers-cut",
+            counted(raw.cutNumbers, "number is", "numbers are")
+                + " followed by what is no number, which was ignored; decimals are written with a point (0.5).");
+}
+
 struct Tuples {
     std::size_t distinct = 0; // of position, normal and UV by value
     std::size_t repeated = 0; // written more often than needed
@@ -272,15 +286,16 @@ std::vector<std::uint32_t> positionNumbers(const RawMesh& raw)
                                      std::uint32_t(influence.joints[2]) << 16 | influence.joints[3], w[0], w[1], w[2], w[3]})
                          .number;
     }
+    std::size_t next = numbers.size(); // no number so far
     for (const RawDeformation::Piece& piece : raw.moves->pieces) {
-        Numbering<7> byDelta(numbers.size());
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const std::size_t at = i - piece.first;
-            const bool within = i >= piece.first && at < piece.positions.size();
-            const Bits<3> p = bitsOf(within ? piece.positions[at] : glm::vec3(0.f));
-            const Bits<3> n = bitsOf(within && !piece.normals.empty() ? piece.normals[at] : glm::vec3(0.f));
-            numbers[i] = byDelta({numbers[i], p[0], p[1], p[2], n[0], n[1], n[2]}).number;
+        Numbering<7> byDelta(piece.positions.size());
+        for (std::size_t i = 0; i < piece.positions.size(); ++i) {
+            const Bits<3> p = bitsOf(piece.positions[i]), n = bitsOf(piece.normals.empty() ? glm::vec3(0.f) : piece.normals[i]);
+            std::uint32_t& number = numbers[piece.first + i];
+            if (p != Bits<3>{} || n != Bits<3>{}) // what stays is as what lies outside of the piece
+                number = std::uint32_t(next + byDelta({number, p[0], p[1], p[2], n[0], n[1], n[2]}).number);
         }
+        next += byDelta.size();
     }
     return numbers;
 }
@@ -313,6 +328,26 @@ std::vector<glm::vec4> joinCorners(const RawMesh& raw, Mesh& mesh)
     }
     return tangents;
 }
+
+// A skin places its mesh, wherever the file's node for it stands: sizes are those of the pose at rest. Where nothing ever moves that pose
+// is the mesh.
+void measureAtRest(Mesh& mesh)
+{
+    if (!mesh.deformation)
+        return;
+    Pose pose = poseAt(mesh, -1, 0.f);
+    if (!mesh.deformation->clips.empty())
+        pose.weights = bindPose(mesh).weights; // of targets: clips say them
+    Mesh rest = posed(mesh, pose);
+    refreshFrames(rest, true);
+    mesh.boundsMin = rest.boundsMin;
+    mesh.boundsMax = rest.boundsMax;
+    mesh.metresPerUV = rest.metresPerUV;
+    if (mesh.deformation->clips.empty() && mesh.deformation->targets.empty()) {
+        mesh.vertices = std::move(rest.vertices);
+        mesh.deformation = nullptr;
+    }
+}
 } // namespace
 
 Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& progress)
@@ -321,6 +356,8 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
     if (raw.corners.empty())
         return failure(where, raw.warnings.empty() ? "the file holds no triangles" : "no triangle of the file has finite positions",
             "Export a surface of triangles or polygons");
+    tellLosses(raw);
+    settleOrigin(raw);
     const auto hasArea = [&raw](std::size_t i) { return faceOf(raw, &raw.corners[i]).normal != glm::vec3(0.f); };
     bool anyArea = false;
     for (std::size_t i = 0; i < raw.corners.size() && !anyArea; i += 3)
@@ -353,6 +390,7 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
     mesh.warnings = std::move(raw.warnings);
     completeFrames(mesh, tangents);
     mesh.deformation = deformationOf(mesh, raw);
+    measureAtRest(mesh);
     progress.at(1.f);
     return mesh;
 }

@@ -33,11 +33,20 @@ std::vector<MorphDelta> deltasOf(
 {
     Mesh reached = mesh, base = mesh;
     std::vector<bool> touched(source.size());
+    std::vector<const RawDeformation::Piece*> pieces; // of this target, in the order of positions
+    for (const RawDeformation::Piece& piece : moves.pieces)
+        if (piece.target == number)
+            pieces.push_back(&piece);
+    std::ranges::sort(pieces, {}, &RawDeformation::Piece::first);
     const auto forTouched = [&](const auto& act) { // act(vertex, piece, offset in it)
-        for (const RawDeformation::Piece& piece : moves.pieces)
-            for (std::size_t i = 0; piece.target == number && i < source.size(); ++i)
-                if (const std::size_t offset = source[i] - piece.first; source[i] >= piece.first && offset < piece.positions.size())
-                    act(i, piece, offset);
+        for (std::size_t i = 0; i < source.size(); ++i) {
+            const auto after = std::ranges::upper_bound(pieces, std::size_t(source[i]), {}, &RawDeformation::Piece::first);
+            if (after == pieces.begin())
+                continue;
+            const RawDeformation::Piece& piece = **std::prev(after);
+            if (const std::size_t offset = source[i] - piece.first; offset < piece.positions.size())
+                act(i, piece, offset);
+        }
     };
     forTouched([&](std::size_t i, const RawDeformation::Piece& piece, std::size_t offset) {
         touched[i] = true;

@@ -92,11 +92,14 @@ void splitByTangents(Mesh& mesh, std::span<const glm::vec4> fileTangents)
     }
 }
 
-// Whether an index belongs to a part without relief.
-bool isPlain(const Mesh& mesh, std::size_t index)
+// Of each triangle whether its part is without relief.
+std::vector<char> plainTriangles(const Mesh& mesh)
 {
-    return std::ranges::any_of(mesh.parts,
-        [&](const MeshPart& part) { return part.relief == 0.f && index >= part.firstIndex && index < part.firstIndex + part.indexCount; });
+    std::vector<char> plain(mesh.indices.size() / 3, 0);
+    for (const MeshPart& part : mesh.parts)
+        for (std::size_t i = part.firstIndex / 3; part.relief == 0.f && i < (std::size_t(part.firstIndex) + part.indexCount) / 3; ++i)
+            plain.at(i) = 1;
+    return plain;
 }
 
 // The Jacobian of one vertex from the weighted sums over its triangles (weight 0: none had usable UVs), and a tangent if it has none.
@@ -127,12 +130,13 @@ double setJacobians(Mesh& mesh, std::vector<float>& weights)
     for (Vertex& vertex : mesh.vertices)
         vertex.dPdu = vertex.dPdv = glm::vec3(0.f);
     double area = 0, uvArea = 0;
+    const std::vector<char> plain = plainTriangles(mesh);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const TriangleFrame frame
             = frameOf(mesh.vertices[mesh.indices[i]], mesh.vertices[mesh.indices[i + 1]], mesh.vertices[mesh.indices[i + 2]]);
         if (frame.uvArea <= 0.f)
             continue;
-        if (!isPlain(mesh, i))
+        if (!plain[i / 3])
             area += double(frame.area), uvArea += double(frame.uvArea);
         for (std::size_t k = i; k < i + 3; ++k) {
             const std::uint32_t at = mesh.indices[k];
@@ -148,20 +152,17 @@ double setJacobians(Mesh& mesh, std::vector<float>& weights)
 void completeFrames(Mesh& mesh, std::span<const glm::vec4> fileTangents)
 {
     assert(fileTangents.empty() || fileTangents.size() == mesh.vertices.size());
-    measureBounds(mesh);
     splitByTangents(mesh, fileTangents);
-    std::vector<float> weights;
-    const double measured = setJacobians(mesh, weights);
-    mesh.metresPerUV = measured > 1e-12 && measured < 1e12 ? float(measured) : largestSide(mesh);
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-        setFrame(mesh.vertices[i], weights[i], mesh.metresPerUV);
+    refreshFrames(mesh, true);
 }
 
-void refreshFrames(Mesh& mesh)
+void refreshFrames(Mesh& mesh, bool renewSize)
 {
     measureBounds(mesh);
     std::vector<float> weights;
-    setJacobians(mesh, weights);
+    const double measured = setJacobians(mesh, weights);
+    if (renewSize)
+        mesh.metresPerUV = measured > 1e-12 && measured < 1e12 ? float(measured) : largestSide(mesh);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         setFrame(mesh.vertices[i], weights[i], mesh.metresPerUV);
 }

@@ -21,7 +21,8 @@ glm::vec3 perpendicular(glm::vec3 n);
 // fileTangents: empty, or one per vertex; those with w = 0 are made, the others are kept.
 void completeFrames(Mesh& mesh, std::span<const glm::vec4> fileTangents = {});
 
-// Renews dPdu, dPdv and bounds after vertices have moved. Tangents, metresPerUV and the number of vertices stay.
-void refreshFrames(Mesh& mesh);
+// Renews dPdu, dPdv and bounds after vertices have moved, and metresPerUV where renewSize says so. Tangents and the number of vertices
+// stay.
+void refreshFrames(Mesh& mesh, bool renewSize = false);
 
 } // namespace relievo

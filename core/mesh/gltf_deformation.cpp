@@ -16,6 +16,12 @@ namespace {
 constexpr std::size_t kMostDeltas = std::size_t(1) << 24;
 constexpr std::size_t kMostJoints = 0xffff;
 
+// Of a mesh with so many vertices; every target has a delta for each.
+std::size_t mostTargets(std::size_t vertices)
+{
+    return kMostDeltas / std::max(vertices, std::size_t(1));
+}
+
 bool isFinite(const glm::mat4& m)
 {
     float sum = 0.f;
@@ -89,8 +95,9 @@ Expected<void> GltfDeformation::addPrimitive(
 {
     const std::size_t count = raw.positions.size() - first;
     const int skin = node >= 0 ? m_model.nodes[std::size_t(node)].skin : -1;
-    const bool isSkinned = skin >= 0 && std::size_t(skin) < m_model.skins.size() && inverseOf(world);
-    if (!m_raw.deformation.clips.empty() && isSkinned) {
+    const bool isSkinned
+        = skin >= 0 && std::size_t(skin) < m_model.skins.size() && primitive.attributes.contains("JOINTS_0") && inverseOf(world);
+    if (isSkinned) {
         if (Expected<void> added = addInfluences(primitive, skin, world, count); !added)
             return added;
     } else {
@@ -180,16 +187,16 @@ Expected<void> GltfDeformation::addTargets(
     const tinygltf::Primitive& primitive, int node, const glm::mat4& world, std::size_t first, const RawMesh& raw)
 {
     const glm::mat3 linear(world);
-    const glm::mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
-    const float side = glm::determinant(linear) < 0.f ? -1.f : 1.f;
+    const Directions directions = directionsOf(world);
     const std::size_t count = raw.positions.size() - first;
     const bool hasNormals = raw.normals.size() >= count && !raw.corners.empty() && raw.corners.back().normal != RawMesh::kNone;
     for (std::size_t t = 0; node >= 0 && t < primitive.targets.size(); ++t) {
-        if (m_deltas + raw.positions.size() > kMostDeltas) {
+        // Whole targets are left out, here and in finished(): the bound only falls while vertices are added.
+        if (const auto known = m_targets.find({node, t});
+            (known == m_targets.end() ? m_raw.deformation.targets.size() : known->second) >= mostTargets(raw.positions.size())) {
             m_tooManyDeltas = true;
-            return {};
+            continue;
         }
-        m_deltas += raw.positions.size();
         const Expected<std::vector<float>> positions = readAttribute(m_model, primitive.targets[t], "POSITION", 3, count, m_where),
                                            normals = readAttribute(m_model, primitive.targets[t], "NORMAL", 3, count, m_where);
         for (const auto* read : {&positions, &normals})
@@ -204,8 +211,8 @@ Expected<void> GltfDeformation::addTargets(
         if (hasNormals && !normals->empty()) {
             piece.normals.assign(count, glm::vec3(0.f));
             for (std::size_t i = 0; i < count; ++i) {
-                // raw.normals are side * cofactors * normal, of any length: so is the difference, before both are made unit.
-                const glm::vec3 from = raw.normals[raw.normals.size() - count + i], to = from + side * (cofactors * tripleAt(*normals, i));
+                // raw.normals are directions.normals * normal, of any length: so is the difference, before both are made unit.
+                const glm::vec3 from = raw.normals[raw.normals.size() - count + i], to = from + directions.normals * tripleAt(*normals, i);
                 if (isSmall(to) && glm::length(from) > 1e-20f && glm::length(to) > 1e-20f)
                     piece.normals[i] = glm::normalize(to) - glm::normalize(from);
             }
@@ -243,14 +250,21 @@ std::optional<RawDeformation> GltfDeformation::finished(Warnings& warnings)
         {m_missingJoints, "skin-joints", " joints or bind matrices of the skeleton are missing; what they pull stands still."},
         {m_oddWeights, "skin-weights", " vertices have skin weights that do not sum to 1; they were scaled."},
         {m_manyInfluences, "skin-influences", " vertices follow more than four joints; the strongest four count."},
-        {m_tooManyDeltas ? m_deltas : 0, "morph-too-large", " morph offsets are all that is kept; further targets were left out."},
         {m_brokenChannels, "animation-channels", " animation channels are broken and were left out."},
         {m_unsorted, "animation-times", " animation channels have keys that are not in the order of time; they were sorted."},
     };
     for (const Row& row : rows)
         if (row.count > 0)
             warnings.push_back({row.code, std::to_string(row.count) + row.text});
-    if (m_raw.deformation.clips.empty() && m_raw.pieces.empty())
+    std::vector<MorphTarget>& targets = m_raw.deformation.targets;
+    const std::size_t most = mostTargets(m_raw.deformation.influences.size());
+    if (m_tooManyDeltas || targets.size() > most) {
+        targets.resize(std::min(targets.size(), most));
+        std::erase_if(m_raw.pieces, [&](const RawDeformation::Piece& piece) { return piece.target >= targets.size(); });
+        warnings.push_back({"morph-too-large",
+            "The morph targets are too large together: only the first " + std::to_string(targets.size()) + " are kept."});
+    }
+    if (m_raw.deformation.clips.empty() && m_raw.pieces.empty() && m_skins.empty())
         return std::nullopt;
     return std::move(m_raw);
 }

@@ -11,7 +11,7 @@ namespace relievo {
 // A glTF node as a pose begins from it; transforms that are not finite stand still.
 PoseNode poseNodeOf(const tinygltf::Node& node);
 
-// Collects while a scene is gathered. Costs nothing for a file without animations and morph targets.
+// Collects while a scene is gathered.
 class GltfDeformation {
 public:
     GltfDeformation(const tinygltf::Model& model, std::string where);
@@ -21,9 +21,9 @@ public:
     Expected<void> addPrimitive(
         const tinygltf::Primitive& primitive, int node, const glm::mat4& world, std::size_t first, const RawMesh& raw);
 
-    // Nothing when nothing moves. Adds to `warnings`: "skin-joints" (missing joints or matrices stand still), "skin-weights" (do not sum to
-    // 1), "skin-influences" (more than four: the strongest four count), "morph-too-large", "animation-channels" (broken, left out),
-    // "animation-times" (were not in order).
+    // Nothing when no skin places anything and nothing moves. Adds to `warnings`: "skin-joints" (missing joints or matrices stand still),
+    // "skin-weights" (do not sum to 1), "skin-influences" (more than four: the strongest four count), "morph-too-large" (whole targets are
+    // left out), "animation-channels" (broken, left out), "animation-times" (were not in order).
     std::optional<RawDeformation> finished(Warnings& warnings);
 
 private:
@@ -50,7 +50,7 @@ private:
     };
     std::vector<SkinUse> m_skins;
     std::map<std::pair<int, std::size_t>, std::size_t> m_targets; // by node and number there, in Deformation::targets
-    std::size_t m_deltas = 0, m_missingJoints = 0, m_oddWeights = 0, m_manyInfluences = 0, m_brokenChannels = 0, m_unsorted = 0;
+    std::size_t m_missingJoints = 0, m_oddWeights = 0, m_manyInfluences = 0, m_brokenChannels = 0, m_unsorted = 0;
     bool m_tooManyDeltas = false;
 };
 

@@ -10,12 +10,18 @@
 
 namespace relievo {
 
-// .gltf or .glb by content, not by suffix. Pictures are not loaded. Errors name the file and the cure.
+// .gltf or .glb by content, not by suffix. Errors name the file and the cure.
 struct GltfDocument {
-    tinygltf::Model model;
+    tinygltf::Model model; // its pictures are not loaded: images hold nothing but uri and bufferView
     Warnings warnings; // "gltf-types": members of the wrong type, which are ignored
 };
 Expected<GltfDocument> loadGltf(const std::filesystem::path& file);
+
+// "a%20b" is "a b".
+std::string percentDecoded(const std::string& uri);
+
+// Whether the picture is in the file itself (base64 data of any media type) or in one of its buffers.
+bool holdsPicture(const tinygltf::Model& model, const tinygltf::Image& image);
 
 // The undecoded bytes of the picture with number `picture` of its "images", when they are in the file itself or in one of its buffers.
 Expected<std::vector<std::byte>> loadGltfPicture(const std::filesystem::path& file, int picture);

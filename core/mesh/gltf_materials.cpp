@@ -3,11 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/gltf_materials.h"
 #include "core/file.h"
+#include "core/mesh/gltf_document.h"
 #include "core/mesh/pictures.h"
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -28,23 +30,6 @@ int indexOf(const tinygltf::Value& value, int otherwise)
 {
     const double number = numberOf(value, double(otherwise));
     return number >= -1.0 && number < 1e9 ? int(number) : otherwise;
-}
-
-// "a%20b" is "a b".
-std::string percentDecoded(const std::string& uri)
-{
-    std::string name;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        int byte = 0;
-        const char* digits = uri.data() + i + 1;
-        if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
-            name += char(byte);
-            i += 2;
-        } else {
-            name += uri[i];
-        }
-    }
-    return name;
 }
 
 const tinygltf::Value& member(const tinygltf::Value& object, const char* key)
@@ -100,12 +85,13 @@ public:
     }
 
 private:
-    std::string uniqueName(const std::string& given) const
+    std::string uniqueName(const std::string& given)
     {
         const std::string base = given.empty() ? "material " + std::to_string(m_read.materials.size()) : given;
         std::string name = base;
-        for (int i = 2; std::ranges::find(m_read.materials, name, &MeshMaterial::name) != m_read.materials.end(); ++i)
-            name = base + " (" + std::to_string(i) + ')';
+        int& number = m_lastNumber.try_emplace(base, 1).first->second;
+        while (!m_names.insert(name).second)
+            name = base + " (" + std::to_string(++number) + ')';
         return name;
     }
 
@@ -139,12 +125,8 @@ private:
     void tellSpace()
     {
         const std::string name = "The material \"" + m_material.name + "\" ";
-        const TextureSpace space = m_space.value_or(TextureSpace());
-        if (space.set != 0)
-            m_read.warnings.push_back({"uv-set", name + "is mapped by UV set " + std::to_string(space.set) + " of the file."});
         if (m_setsDiffer)
-            m_read.warnings.push_back(
-                {"uv-sets", name + "maps its pictures by several UV sets; set " + std::to_string(space.set) + " is used for all."});
+            m_read.warnings.push_back({"uv-sets", name + "maps its pictures by several UV sets; one is used for all."});
         if (m_transformsDiffer)
             m_read.warnings.push_back({"texture-transforms",
                 name
@@ -167,7 +149,7 @@ private:
     std::optional<std::string> missing(const std::string& what)
     {
         const Warning warning{"map-missing", "The material \"" + m_material.name + "\" names " + what};
-        if (std::ranges::find(m_read.warnings, warning) == m_read.warnings.end())
+        if (m_told.insert(warning.text).second)
             m_read.warnings.push_back(warning);
         return std::nullopt;
     }
@@ -186,16 +168,20 @@ private:
         if (source < 0 || std::size_t(source) >= m_model.images.size())
             return missing("a picture that the file does not hold.");
         const tinygltf::Image& image = m_model.images[std::size_t(source)];
-        if (image.uri.empty())
+        if (holdsPicture(m_model, image))
             return embeddedPictureName(m_file, source);
+        if (image.uri.empty())
+            return missing("a picture that the file does not hold.");
         const std::string name = percentDecoded(image.uri);
         const std::optional<fs::path> found = findPicture({absolutePath(m_file).parent_path()}, name);
-        return found ? found->string() : missing("the picture " + name + ", which is not there; put it beside the mesh.");
+        return found ? found->string() : missing("the picture " + shownName(name) + ", which is not there; put it beside the mesh.");
     }
 
     const tinygltf::Model& m_model;
     const fs::path& m_file;
     GltfMaterials m_read;
+    std::set<std::string> m_names, m_told; // of materials, and texts of warnings
+    std::map<std::string, int> m_lastNumber; // behind the names that several materials share
     MeshMaterial m_material; // the one at work, its space and whether its pictures agree on it
     std::optional<TextureSpace> m_space;
     bool m_setsDiffer = false, m_transformsDiffer = false;

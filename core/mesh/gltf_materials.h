@@ -20,7 +20,7 @@ struct TextureSpace {
 struct GltfMaterials {
     std::vector<MeshMaterial> materials; // in the order of the file; nameless ones are called "material N"
     std::vector<TextureSpace> spaces; // of each: that of its base colour, else of its normal map, and so on
-    Warnings warnings; // "map-missing"; "uv-set": not the first; "uv-sets", "texture-transforms": its pictures disagree
+    Warnings warnings; // "map-missing"; "uv-sets", "texture-transforms": a material's pictures disagree
 };
 
 // file: where pictures are looked for.

@@ -3,6 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/gltf_primitive.h"
 #include "core/mesh/gltf_accessor.h"
+#include "core/mesh/text_cursor.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
 #include <numeric>
 
 namespace relievo {
@@ -49,7 +53,36 @@ Expected<std::vector<std::uint32_t>> trianglesOf(
             return failure(where, "a triangle names the vertex " + std::to_string(index) + " of " + std::to_string(vertices), kDamaged);
     return triples(modeOf(primitive), std::move(indices));
 }
+
+// The set that is wanted, else one that there is; -1: there is none.
+int uvSetOf(const tinygltf::Primitive& primitive, int wanted)
+{
+    for (const int set : {wanted, 0})
+        if (primitive.attributes.contains("TEXCOORD_" + std::to_string(set)))
+            return set;
+    for (const auto& [key, accessor] : primitive.attributes)
+        if (key.starts_with("TEXCOORD_"))
+            if (const std::optional<long long> set = integerOf(std::string_view(key).substr(9)); set && *set > 0 && *set < 100)
+                return int(*set);
+    return -1;
+}
+
+glm::mat3 withLargest1(const glm::dmat3& matrix)
+{
+    double largest = 0.0;
+    for (int k = 0; k < 9; ++k)
+        largest = std::max(largest, std::abs(matrix[k / 3][k % 3]));
+    return largest > 0.0 ? glm::mat3(matrix / largest) : glm::mat3(0.f);
+}
 } // namespace
+
+Directions directionsOf(const glm::mat4& world)
+{
+    const glm::dmat3 m(world);
+    const bool mirrored = glm::determinant(m) < 0.0;
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    return {withLargest1(m), withLargest1(mirrored ? -cofactors : cofactors), mirrored};
+}
 
 bool hasTriangles(const tinygltf::Primitive& primitive)
 {
@@ -83,9 +116,9 @@ Expected<GltfPrimitive> readPrimitive(
         return tl::unexpected(points.error());
     GltfPrimitive read;
     read.points = std::move(*points);
-    std::string texCoord = "TEXCOORD_" + std::to_string(uvSet);
-    if (!primitive.attributes.contains(texCoord))
-        texCoord = "TEXCOORD_0";
+    read.hasData = model.accessors[std::size_t(position->second)].bufferView >= 0;
+    read.uvSet = uvSetOf(primitive, uvSet);
+    const std::string texCoord = "TEXCOORD_" + std::to_string(read.uvSet);
     struct AttributeRow {
         std::string key;
         int components;

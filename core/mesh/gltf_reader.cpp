@@ -9,11 +9,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <set>
 
 namespace relievo {
 
 namespace {
 using Corner = RawMesh::Corner;
+// Of all nodes together: a small file can show its meshes very often, and accessors without data cost it nothing.
+constexpr std::size_t kMostVertices = 32'000'000, kMostCorners = 200'000'000, kMostWithoutData = std::size_t(1) << 22;
 const char* const kDamaged = "Check the file with a glTF validator and export it again";
 
 // Gathers a scene's primitives into one RawMesh.
@@ -35,8 +38,6 @@ public:
         Expected<void> done = m_model.nodes.empty() ? addLooseMeshes() : addScene();
         if (!done)
             return tl::unexpected(done.error());
-        if (m_raw.corners.size() > 0xffffffffu)
-            return failure(m_where, "the mesh has more corners than can be counted in 32 bits", "Split it");
         if (m_raw.corners.empty())
             return failure(m_where, m_lines > 0 ? "the file holds points and lines, but no triangles" : "its scene holds no triangles",
                 m_vanished > 0 ? "Its nodes are scaled to nothing: give them a size" : "Export a scene with a mesh in it");
@@ -44,6 +45,9 @@ public:
             m_raw.warn("lines-skipped", std::to_string(m_lines) + " primitives of points or lines were left out.");
         if (m_vanished > 0)
             m_raw.warn("nodes-dropped", std::to_string(m_vanished) + " nodes are scaled to nothing and were left out.");
+        if (m_instanced > 0)
+            m_raw.warn("instances-skipped",
+                std::to_string(m_instanced) + " nodes show copies of their mesh (EXT_mesh_gpu_instancing); one of each is shown.");
         m_raw.moves = m_deformation.finished(m_raw.warnings);
         m_raw.materials = std::move(m_materials.materials);
         m_raw.warnings.insert(m_raw.warnings.end(), m_materials.warnings.begin(), m_materials.warnings.end());
@@ -115,6 +119,7 @@ private:
                 return damaged("node " + std::to_string(visit.node) + " has two parents or contains itself");
             const tinygltf::Node& node = m_model.nodes[std::size_t(visit.node)];
             const glm::mat4 world = visit.worldFromParent * localMatrix(poseNodeOf(node));
+            m_instanced += node.mesh >= 0 && node.extensions.contains("EXT_mesh_gpu_instancing");
             if (node.mesh >= 0 && vanishes(glm::mat3(world)))
                 ++m_vanished;
             else if (node.mesh >= 0)
@@ -160,6 +165,11 @@ private:
         if (!read)
             return tl::unexpected(read.error());
         const std::size_t before = m_raw.positions.size();
+        m_withoutData += read->hasData ? 0 : read->vertices();
+        if (before + read->vertices() > kMostVertices || m_raw.corners.size() + read->indices.size() > kMostCorners
+            || m_withoutData > kMostWithoutData)
+            return failure(m_where, "the scene has more vertices or triangles than can be held", "Split it, or show its meshes less often");
+        tellUVSet(part.material, space.set, read->uvSet);
         append(*read, space, place.world);
         if (Expected<void> moves = m_deformation.addPrimitive(primitive, place.node, place.world, before, m_raw); !moves)
             return moves;
@@ -168,13 +178,23 @@ private:
         return {};
     }
 
+    void tellUVSet(const std::string& material, int wanted, int used)
+    {
+        if (used < 0 || (used == 0 && wanted == 0))
+            return;
+        const std::string owner = material.empty() ? "What has no material" : "The material \"" + material + '"',
+                          set = std::to_string(used);
+        const std::string text = used == wanted || material.empty()
+            ? owner + " is mapped by UV set " + set + " of the file."
+            : owner + " asks for UV set " + std::to_string(wanted) + ", which its mesh lacks; set " + set + " is used.";
+        if (m_told.insert(text).second)
+            m_raw.warn("uv-set", text);
+    }
+
     void append(const GltfPrimitive& from, const TextureSpace& space, const glm::mat4& world)
     {
-        const glm::mat3 linear(world);
-        const bool mirrored = glm::determinant(linear) < 0.f;
-        // Cofactors instead of the inverse transpose: they exist for flat scalings too.
-        const glm::mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
-        const float side = mirrored ? -1.f : 1.f;
+        const Directions directions = directionsOf(world);
+        const bool mirrored = directions.mirrored;
         const bool hasTangents = !from.tangents.empty() && space.keepsTangents();
         const auto base = Corner{std::uint32_t(m_raw.positions.size()), std::uint32_t(m_raw.normals.size()),
             std::uint32_t(m_raw.uvs.size()), std::uint32_t(m_raw.tangents.size())};
@@ -185,12 +205,12 @@ private:
         for (std::size_t i = 0; i < from.points.size(); i += 3)
             m_raw.positions.emplace_back(world * glm::vec4(from.points[i], from.points[i + 1], from.points[i + 2], 1.f));
         for (std::size_t i = 0; i < from.normals.size(); i += 3)
-            m_raw.normals.push_back(side * (cofactors * glm::vec3(from.normals[i], from.normals[i + 1], from.normals[i + 2])));
+            m_raw.normals.push_back(directions.normals * glm::vec3(from.normals[i], from.normals[i + 1], from.normals[i + 2]));
         for (std::size_t i = 0; i < from.uvs.size(); i += 2)
             m_raw.uvs.push_back(space.uvFromSet * glm::vec3(from.uvs[i], from.uvs[i + 1], 1.f));
         for (std::size_t i = 0; hasTangents && i < from.tangents.size(); i += 4)
-            m_raw.tangents.emplace_back(
-                linear * glm::vec3(from.tangents[i], from.tangents[i + 1], from.tangents[i + 2]), side * from.tangents[i + 3]);
+            m_raw.tangents.emplace_back(directions.tangents * glm::vec3(from.tangents[i], from.tangents[i + 1], from.tangents[i + 2]),
+                mirrored ? -from.tangents[i + 3] : from.tangents[i + 3]);
         for (std::size_t i = 0; i < from.indices.size(); ++i) {
             const std::size_t turned
                 = mirrored && i % 3 != 0 ? i + (i % 3 == 1 ? 1 : std::size_t(-1)) : i; // a mirror swaps inside and outside
@@ -206,7 +226,8 @@ private:
     GltfMaterials m_materials;
     RawMesh m_raw;
     GltfDeformation m_deformation;
-    std::size_t m_lines = 0, m_vanished = 0;
+    std::set<std::string> m_told; // what tellUVSet said
+    std::size_t m_lines = 0, m_vanished = 0, m_instanced = 0, m_withoutData = 0;
 };
 } // namespace
 

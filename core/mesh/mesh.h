@@ -51,18 +51,21 @@ struct Mesh {
     std::vector<std::uint32_t> indices; // triples
     std::vector<MeshPart> parts; // at least one
     std::vector<MeshMaterial> materials; // empty when the file describes none; a part may name one that is not here
-    glm::vec3 boundsMin{0.f}, boundsMax{0.f};
+    glm::vec3 boundsMin{0.f}, boundsMax{0.f}; // m; of a mesh from a file with a deformation: of the pose at rest, as metresPerUV is
     float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted over what is not plain (design.md section 3); > 0
     bool fileHasUVs = true, fileHasNormals = true, fileHasTangents = false; // what the file held, before anything was made
     std::size_t fileVertices = 0; // distinct (position, normal, UV) tuples of the file, for `info`
     std::size_t repeatedVertices = 0; // vertices that the file writes out although an equal one exists (0 for STL, which cannot share)
     std::shared_ptr<const Deformation> deformation; // skeleton, morph targets and animations; null when the file has none
-    Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped" ...
+    Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped", "mesh-moved" (from far away) ...
 };
 
 // Whether `part` shows no relief: it has none, or another material's parts are chosen. chosen: State::part; a name that no part of the mesh
 // has (of another mesh) chooses none.
 bool isPlain(const Mesh& mesh, const MeshPart& part, std::string_view chosen);
+
+// The same for each of mesh.parts, in time that grows with their number and not with its square.
+std::vector<char> plainParts(const Mesh& mesh, std::string_view chosen);
 
 // Shapes made by formula, largest size 1 m, centred (design.md section 3).
 inline constexpr std::array<std::string_view, 8> kShapes

@@ -24,6 +24,10 @@ constexpr ReaderRow kReaders[] = {
     {".off", readOff},
 };
 
+bool hasMaterial(const Mesh& mesh, std::string_view name)
+{
+    return std::ranges::find(mesh.parts, name, &MeshPart::material) != mesh.parts.end();
+}
 } // namespace
 
 Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress)
@@ -75,8 +79,16 @@ std::string meshJson(const Mesh& mesh)
 
 bool isPlain(const Mesh& mesh, const MeshPart& part, std::string_view chosen)
 {
-    return part.relief == 0.f
-        || (!chosen.empty() && part.material != chosen && std::ranges::count(mesh.parts, chosen, &MeshPart::material) > 0);
+    return part.relief == 0.f || (!chosen.empty() && part.material != chosen && hasMaterial(mesh, chosen));
+}
+
+std::vector<char> plainParts(const Mesh& mesh, std::string_view chosen)
+{
+    const bool known = !chosen.empty() && hasMaterial(mesh, chosen);
+    std::vector<char> plain;
+    for (const MeshPart& part : mesh.parts)
+        plain.push_back(part.relief == 0.f || (known && part.material != chosen));
+    return plain;
 }
 
 } // namespace relievo

@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -104,9 +105,10 @@ TextureLine textureLine(std::string_view text)
 
 class MtlParser {
 public:
-    MtlParser(std::vector<fs::path> folders, std::vector<MeshMaterial>& materials, Warnings& warnings)
+    MtlParser(std::vector<fs::path> folders, std::vector<MeshMaterial>& materials, std::set<std::string>& names, Warnings& warnings)
         : m_folders(std::move(folders))
         , m_materials(materials)
+        , m_names(names)
         , m_warnings(warnings)
     {
     }
@@ -120,7 +122,7 @@ public:
             const std::string keyword = lowered(words.word());
             if (keyword == "newmtl") {
                 const std::string name(spacesTrimmed(words.rest()));
-                known = std::ranges::find(m_materials, name, &MeshMaterial::name) == m_materials.end();
+                known = m_names.insert(name).second;
                 if (known)
                     m_materials.push_back({name, {}});
             } else if (const auto* row = std::ranges::find(kKeywords, keyword, &KeywordRow::keyword); known && row != std::end(kKeywords)) {
@@ -137,7 +139,8 @@ private:
         const std::optional<fs::path> file = findPicture(m_folders, line.file);
         if (!file) {
             m_warnings.push_back({"map-missing",
-                "The material \"" + material.name + "\" names the picture " + line.file + ", which is not there; put it beside the mesh."});
+                "The material \"" + material.name + "\" names the picture " + shownName(line.file)
+                    + ", which is not there; put it beside the mesh."});
             return;
         }
         MapSlot slot{file->string(), line.channel, row.invert};
@@ -152,12 +155,13 @@ private:
         material.maps[std::size_t(kind)] = slot;
         if (line.moved)
             m_warnings.push_back({"map-options",
-                "The material \"" + material.name + "\" scales or shifts " + line.file
+                "The material \"" + material.name + "\" scales or shifts " + shownName(line.file)
                     + "; set tiling by hand, these options are not followed."});
     }
 
     std::vector<fs::path> m_folders;
     std::vector<MeshMaterial>& m_materials;
+    std::set<std::string>& m_names; // of m_materials
     Warnings& m_warnings;
 };
 } // namespace
@@ -165,14 +169,20 @@ private:
 std::vector<MeshMaterial> readMtl(const fs::path& obj, std::span<const std::string> names, Warnings& warnings)
 {
     std::vector<MeshMaterial> materials;
+    std::set<std::string> materialNames, namesSeen;
+    std::set<fs::path> filesSeen; // some exporters repeat the line for every object
     const fs::path folder = absolutePath(obj).parent_path();
     const auto readOne = [&](const fs::path& file) {
+        if (!filesSeen.insert(file).second)
+            return;
         if (const Expected<std::string> text = readText(file, std::size_t(64) << 20))
-            MtlParser({file.parent_path(), folder}, materials, warnings).parse(plainText(*text));
+            MtlParser({file.parent_path(), folder}, materials, materialNames, warnings).parse(plainText(*text));
         else
             warnings.push_back({"material-missing", message(text.error())});
     };
     for (const std::string& name : names) {
+        if (!namesSeen.insert(name).second)
+            continue;
         if (const std::optional<fs::path> whole = findPicture({folder}, name)) { // a name with spaces
             readOne(*whole);
             continue;
@@ -182,8 +192,8 @@ std::vector<MeshMaterial> readMtl(const fs::path& obj, std::span<const std::stri
             if (const std::optional<fs::path> found = findPicture({folder}, std::string(word)))
                 readOne(*found);
             else
-                warnings.push_back(
-                    {"material-missing", "The mesh names the material file " + name + ", which is not there; put it beside the mesh."});
+                warnings.push_back({"material-missing",
+                    "The mesh names the material file " + shownName(name) + ", which is not there; put it beside the mesh."});
     }
     return materials;
 }

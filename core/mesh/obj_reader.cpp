@@ -52,19 +52,14 @@ public:
                     return failure(m_where, "cancelled");
             }
             std::string joined; // a backslash continues on the next line
-            while (line->ends_with('\\')) {
+            while (goesOn(*line)) {
                 joined += line->substr(0, line->size() - 1);
                 joined += ' ';
                 ++m_line;
-                const std::optional<std::string_view> next = lines.line();
-                if (!next || !next->ends_with('\\')) {
-                    if (next)
-                        joined += *next;
-                    line = joined;
-                    break;
-                }
-                line = next;
+                line = lines.line().value_or("");
             }
+            if (!joined.empty())
+                line = joined += *line;
             if (Expected<void> done = statement(*line); !done)
                 return tl::unexpected(done.error());
         }
@@ -72,18 +67,25 @@ public:
     }
 
 private:
+    // Whether the statement continues on the next line; comments end with their own.
+    static bool goesOn(std::string_view line)
+    {
+        const std::size_t comment = line.find('#');
+        return line.ends_with('\\') && (comment == line.npos || (comment > 0 && line[comment - 1] != ' ' && line[comment - 1] != '\t'));
+    }
+
     Expected<void> statement(std::string_view line)
     {
         TextCursor words(line);
         const std::string_view keyword = words.word();
         if (keyword == "v") {
-            m_raw.positions.push_back(triple(words));
+            m_raw.addPosition(triple(words));
         } else if (keyword == "vn") {
-            m_raw.normals.push_back(triple(words));
+            m_raw.normals.emplace_back(triple(words));
         } else if (keyword == "vt") {
-            const float u = floatOf(words.word());
+            const float u = floatOf(words.word(), m_raw.cutNumbers);
             const std::string_view v = words.word(); // may be missing: a texture along a line
-            m_raw.uvs.emplace_back(u, v.empty() ? 0.f : 1.f - floatOf(v));
+            m_raw.uvs.emplace_back(u, v.empty() ? 0.f : 1.f - floatOf(v, m_raw.cutNumbers));
         } else if (keyword == "f" || keyword == "fo") {
             return face(words);
         } else if (keyword == "o" || keyword == "g") {
@@ -100,9 +102,10 @@ private:
         return {};
     }
 
-    static glm::vec3 triple(TextCursor& words)
+    glm::dvec3 triple(TextCursor& words)
     {
-        const float x = floatOf(words.word()), y = floatOf(words.word()), z = floatOf(words.word());
+        const auto number = [&] { return doubleOf(words.word(), m_raw.cutNumbers); };
+        const double x = number(), y = number(), z = number();
         return {x, y, z};
     }
 
@@ -152,7 +155,7 @@ private:
                 {*position, optionalIndex(normal, m_raw.normals.size()), optionalIndex(uv, m_raw.uvs.size()), RawMesh::kNone});
         }
         if (m_polygon.size() < 3) {
-            ++m_shortFaces;
+            ++m_raw.shortFaces;
             return {};
         }
         // Faces of a part may be scattered over the file: they are sorted at the end.
@@ -214,8 +217,6 @@ private:
             m_raw.warn("lines-skipped", std::to_string(m_skipped) + " points or lines were left out; only faces are drawn.");
         if (m_freeForm > 0)
             m_raw.warn("curves-skipped", std::to_string(m_freeForm) + " curved surfaces were left out; export them as polygons.");
-        if (m_shortFaces > 0)
-            m_raw.warn("triangles-dropped", std::to_string(m_shortFaces) + " faces have fewer than three corners and were left out.");
         if (m_badAttributes > 0)
             m_raw.warn(
                 "attributes-repaired", std::to_string(m_badAttributes) + " corners name a UV or a normal that the file does not hold.");
@@ -229,7 +230,7 @@ private:
     std::map<std::pair<std::string, std::string>, std::size_t> m_partNumbers;
     std::vector<Run> m_runs;
     std::vector<Corner> m_polygon;
-    std::size_t m_line = 0, m_skipped = 0, m_freeForm = 0, m_shortFaces = 0, m_badAttributes = 0;
+    std::size_t m_line = 0, m_skipped = 0, m_freeForm = 0, m_badAttributes = 0;
 };
 } // namespace
 

@@ -74,11 +74,11 @@ private:
         if (!line)
             return false;
         TextCursor words(*line);
-        const auto number = [&words] { return floatOf(words.word()); };
-        const float x = number(), y = number(), z = number();
-        m_raw.positions.emplace_back(x, y, z);
+        const auto number = [&] { return doubleOf(words.word(), m_raw.cutNumbers); };
+        const double x = number(), y = number(), z = number();
+        m_raw.addPosition({x, y, z});
         if (m_hasNormals) {
-            const float nx = number(), ny = number(), nz = number();
+            const float nx = float(number()), ny = float(number()), nz = float(number());
             m_raw.normals.emplace_back(nx, ny, nz);
         }
         if (m_hasUVs) { // the last two, after a colour of any length

@@ -65,6 +65,11 @@ std::optional<fs::path> findPicture(const std::vector<fs::path>& folders, std::s
     return std::nullopt;
 }
 
+std::string shownName(const std::string& name)
+{
+    return name.size() > 80 ? name.substr(0, 77) + "..." : name;
+}
+
 std::string embeddedPictureName(const fs::path& gltf, int picture)
 {
     return absolutePath(gltf).string() + '#' + std::to_string(picture);

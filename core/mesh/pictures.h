@@ -15,6 +15,9 @@ namespace relievo {
 // machines allowed), else by its last part alone, in any case of letters. Absolute. Nothing when there is none.
 std::optional<std::filesystem::path> findPicture(const std::vector<std::filesystem::path>& folders, std::string name);
 
+// A name or URI as messages show it: at most 80 bytes of it.
+std::string shownName(const std::string& name);
+
 // "FILE#N": picture N inside a glTF file. namesEmbeddedPicture is false for a file that exists under that very name.
 std::string embeddedPictureName(const std::filesystem::path& gltf, int picture);
 bool namesEmbeddedPicture(const std::filesystem::path& name);

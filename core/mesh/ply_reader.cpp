@@ -111,6 +111,7 @@ public:
     }
 
     bool failed() const { return m_failed; }
+    std::size_t cutNumbers() const { return m_cut; }
     // No number takes less than a byte.
     std::size_t left() const { return m_format == Header::Format::Text ? m_text.rest().size() : m_bytes.size(); }
 
@@ -123,7 +124,7 @@ public:
             const std::string_view word = m_text.word();
             m_failed |= word.empty();
             if (type >= Type::F32)
-                return double(floatOf(word));
+                return doubleOf(word, m_cut);
             const std::optional<long long> whole = integerOf(word);
             return whole ? double(*whole) : double(floatOf(word)); // some writers print counts as 3.0
         }
@@ -175,6 +176,7 @@ private:
     std::string_view m_bytes;
     Header::Format m_format;
     bool m_failed = false;
+    std::size_t m_cut = 0; // numbers of the text with something behind them
 };
 
 float narrowed(double value)
@@ -219,6 +221,7 @@ public:
             return failure(m_where, "the file holds points, but no faces", "Make a surface of the points first");
         if (m_raw.corners.size() > 0xffffffffu)
             return failure(m_where, "the mesh has more corners than can be counted in 32 bits", "Split it");
+        m_raw.cutNumbers = m_values.cutNumbers();
         m_raw.countsUnused = true;
         m_raw.parts = {{"", "", 0, std::uint32_t(m_raw.corners.size())}};
         return std::move(m_raw);
@@ -248,6 +251,11 @@ private:
         return numbers;
     }
 
+    tl::unexpected<Error> longList(const Element& element, std::size_t i) const
+    {
+        return damaged("a list of \"" + element.name + "\" " + std::to_string(i) + " claims more numbers than the file can hold");
+    }
+
     Expected<void> readVertices(const Element& element)
     {
         if (m_hasVertices)
@@ -265,21 +273,23 @@ private:
         m_hasNormals = present[3] && present[4] && present[5];
         m_hasUVs = present[6] && present[7];
         for (std::size_t i = 0; i < element.count; ++i) {
-            std::array<float, 8> vertex{};
+            std::array<double, 8> vertex{};
             for (std::size_t k = 0; k < slots.size(); ++k) {
+                if (element.properties[k].countType && !list(element.properties[k]))
+                    return longList(element, i);
                 if (element.properties[k].countType)
-                    list(element.properties[k]);
-                else if (const double value = m_values.next(element.properties[k].type); slots[k])
-                    vertex[*slots[k]] = narrowed(value);
+                    continue;
+                if (const double value = m_values.next(element.properties[k].type); slots[k])
+                    vertex[*slots[k]] = value;
             }
             m_values.endElement();
             if (Expected<void> sound = checkpoint(element, i); !sound)
                 return sound;
-            m_raw.positions.emplace_back(vertex[0], vertex[1], vertex[2]);
+            m_raw.addPosition({vertex[0], vertex[1], vertex[2]});
             if (m_hasNormals)
-                m_raw.normals.emplace_back(vertex[3], vertex[4], vertex[5]);
+                m_raw.normals.emplace_back(narrowed(vertex[3]), narrowed(vertex[4]), narrowed(vertex[5]));
             if (m_hasUVs)
-                m_raw.uvs.emplace_back(vertex[6], 1.f - vertex[7]);
+                m_raw.uvs.emplace_back(narrowed(vertex[6]), 1.f - narrowed(vertex[7]));
         }
         return {};
     }
@@ -297,8 +307,7 @@ private:
                 }
                 std::optional<std::vector<double>> numbers = list(property);
                 if (!numbers)
-                    return damaged(
-                        "a list of \"" + element.name + "\" " + std::to_string(i) + " claims more numbers than the file can hold");
+                    return longList(element, i);
                 if (property.name == "vertex_indices" || property.name == "vertex_index")
                     indices = std::move(*numbers);
                 else if (property.name == "texcoord")

@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/raw_mesh.h"
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace relievo {
 
@@ -37,12 +39,12 @@ Plane flattened(const RawMesh& raw, std::span<const Corner> polygon)
     return plane;
 }
 
-bool isConvex(const Plane& plane)
+double leastTurn(const Plane& plane)
 {
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < plane.size(); ++i)
-        if (turn(plane[i], plane[(i + 1) % plane.size()], plane[(i + 2) % plane.size()]) < 0.0)
-            return false;
-    return true;
+        least = std::min(least, turn(plane[i], plane[(i + 1) % plane.size()], plane[(i + 2) % plane.size()]));
+    return least;
 }
 
 // Whether corner `at` of the rest can be cut off: it turns left and no other corner lies inside.
@@ -65,13 +67,19 @@ bool isEar(const Plane& plane, const std::vector<std::size_t>& rest, std::size_t
 
 void addPolygon(RawMesh& raw, std::span<const Corner> polygon)
 {
+    if (polygon.size() < 3) {
+        ++raw.shortFaces;
+        return;
+    }
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
         raw.corners.insert(raw.corners.end(), {polygon[a], polygon[b], polygon[c]});
     };
     constexpr std::size_t kMostCorners = 1000; // cutting ears costs the cube of it
-    const bool mayBeConcave = polygon.size() > 3 && polygon.size() <= kMostCorners;
-    const Plane plane = mayBeConcave ? flattened(raw, polygon) : Plane{};
-    if (plane.empty() || isConvex(plane)) {
+    const Plane plane = polygon.size() > 3 ? flattened(raw, polygon) : Plane{};
+    const double least = leastTurn(plane);
+    // A fan from a corner that lies on a straight side would hold a triangle without area.
+    if (least > 0.0 || polygon.size() > kMostCorners) {
+        raw.fannedPolygons += least < 0.0;
         for (std::size_t i = 2; i < polygon.size(); ++i)
             add(0, i - 1, i);
         return;

@@ -123,7 +123,7 @@ Vertex moved(const Vertex& from, std::size_t at, const Deformation& deformation,
     vertex.tangent = glm::vec4(glm::length(flat) > 1e-20f ? glm::normalize(flat) : perpendicular(vertex.normal), from.tangent.w);
     const float sum
         = glm::dot(glm::abs(vertex.position), glm::vec3(1.f)) + glm::dot(vertex.normal + glm::vec3(vertex.tangent), glm::vec3(1.f));
-    return std::isfinite(sum) ? vertex : from;
+    return sum < 1e15f ? vertex : from; // beyond, squares of lengths leave the range of float; false for NaN
 }
 } // namespace
 

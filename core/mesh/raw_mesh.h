@@ -27,7 +27,8 @@ struct RawMesh {
     };
 
     std::string name;
-    std::vector<glm::vec3> positions, normals; // m; normals of any length
+    std::vector<glm::vec3> positions, normals; // m, from `origin`; normals of any length
+    glm::dvec3 origin{0.0}; // m
     std::vector<glm::vec2> uvs; // v runs down already
     std::vector<glm::vec4> tangents; // as glTF's
     std::vector<Corner> corners; // triples; every index lies within its list
@@ -41,12 +42,23 @@ struct RawMesh {
     bool countsUnused = false;
     // Whether the format lets triangles share vertices, so that equal ones are a waste.
     bool sharesVertices = true;
+    // What was lost on the way, told by buildMesh: faces of fewer than three corners, polygons with too many corners to look for the way
+    // they bend, numbers of a text followed by something else.
+    std::size_t shortFaces = 0, fannedPolygons = 0, cutNumbers = 0;
+
+    // Chooses the origin by the first position when that is far from 0.
+    void addPosition(glm::dvec3 position);
 
     void warn(std::string code, std::string text) { warnings.push_back({std::move(code), std::move(text)}); }
 };
 
-// Appends the triangles of a polygon: a fan where it is convex, else ears are cut. Polygons of fewer than three corners add nothing.
+// Appends the triangles of a polygon: a fan where it is convex, else ears are cut. Polygons of fewer than three corners add nothing, very
+// large ones always become a fan; both are counted.
 void addPolygon(RawMesh& raw, std::span<const RawMesh::Corner> polygon);
+
+// Where the mesh is much farther from 0 than it is large its positions stay relative to `origin`, told as "mesh-moved"; else 0 is the
+// origin again. For positions that are finite.
+void settleOrigin(RawMesh& raw);
 
 // The materials of the .mtl files that `names` (what follows "mtllib", one entry a line of the OBJ) lists. Missing or unreadable ones are
 // warnings "material-missing", missing pictures "map-missing"; texture options that are not followed "map-options".

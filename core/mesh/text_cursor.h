@@ -52,16 +52,29 @@ private:
     std::string_view m_rest;
 };
 
-// The number that a word begins with: "1.5", "+2.", "3.1e2", "nan"; what follows it is ignored. NaN when there is none.
-inline float floatOf(std::string_view word)
+// The number that a word begins with: "1.5", "+2.", "3.1e2", "nan"; what follows it is ignored but counted (decimal commas). NaN when
+// there is none, or none that a float can hold.
+inline double doubleOf(std::string_view word, std::size_t& cut)
 {
     if (!word.empty() && word.front() == '+')
         word.remove_prefix(1);
     double value = std::numeric_limits<double>::quiet_NaN();
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+    cut += code == std::errc() && end != word.data() + word.size();
     if (code == std::errc::result_out_of_range) // too small or too large for a double
-        return word.find("e-") != word.npos || word.find("E-") != word.npos ? 0.f : std::numeric_limits<float>::infinity();
-    return code == std::errc() && (value < 3e38 && value > -3e38) ? float(value) : std::numeric_limits<float>::quiet_NaN();
+        return word.find("e-") != word.npos || word.find("E-") != word.npos ? 0.0 : std::numeric_limits<double>::infinity();
+    return code == std::errc() && (value < 3e38 && value > -3e38) ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+inline float floatOf(std::string_view word, std::size_t& cut)
+{
+    return float(doubleOf(word, cut));
+}
+
+inline float floatOf(std::string_view word)
+{
+    std::size_t cut = 0;
+    return floatOf(word, cut);
 }
 
 // A whole number that fills the word; nothing for anything else.

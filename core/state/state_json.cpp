@@ -35,7 +35,12 @@ std::string relativeTo(const fs::path& folder, const std::string& file)
 {
     if (file.empty() || isBuiltIn(file) || !fs::path(file).is_absolute())
         return file;
-    const fs::path relative = fs::path(file).lexically_relative(folder);
+    fs::path relative = fs::path(file).lexically_relative(folder);
+    if (!relative.empty() && absolutePath(folder / relative) != file) { // links: ".." leads to the parent of where one points
+        std::error_code code;
+        const fs::path place = fs::weakly_canonical(fs::path(file).parent_path(), code) / fs::path(file).filename();
+        relative = place.lexically_relative(fs::weakly_canonical(folder, code));
+    }
     return relative.empty() ? file : relative.generic_string();
 }
 
@@ -179,13 +184,22 @@ private:
         return true;
     }
 
+    // Files written by hand on Windows name folders with backslashes; a file may also be named with one.
+    std::string withSlashes(std::string name) const
+    {
+        std::error_code code;
+        if (name.find('\\') != name.npos && !fs::exists(m_folder / name, code))
+            std::ranges::replace(name, '\\', '/');
+        return name;
+    }
+
     bool file(const Json& value, const std::string& place, std::string& out, bool isPath)
     {
         std::string name = out;
         text(value, place, name);
         if (!value.is_string())
             return true;
-        out = name.empty() || isBuiltIn(name) || !isPath ? name : absolutePath(m_folder / name).string();
+        out = name.empty() || isBuiltIn(name) || !isPath ? name : absolutePath(m_folder / withSlashes(name)).string();
         return true;
     }
 
@@ -263,13 +277,16 @@ private:
     bool camera(const Json& json, Camera& out)
     {
         return each(json, "camera", [&](const std::string& key, const Json& value) {
-            std::string text;
-            if (key == "target" && value.is_array() && value.size() == 3)
-                text = value[0].dump() + ':' + value[1].dump() + ':' + value[2].dump();
-            else if (key != "yaw" && key != "pitch" && key != "fov" && key != "distance" && key != "target")
+            if (key != "yaw" && key != "pitch" && key != "fov" && key != "distance" && key != "target")
                 return false;
-            else
-                text = value.dump();
+            const auto isNumber = [](const Json& one) { return one.is_number(); };
+            const bool isPoint = key == "target" && value.is_array() && value.size() == 3 && std::ranges::all_of(value, isNumber);
+            if (!isPoint && !isNumber(value)) { // lists may be nested deeper than dump() can follow
+                warn(
+                    "wrong-kind", "camera." + key, "expected " + std::string(key == "target" ? "three numbers" : "a number") + "; ignored");
+                return true;
+            }
+            const std::string text = isPoint ? value[0].dump() + ':' + value[1].dump() + ':' + value[2].dump() : value.dump();
             if (!setCamera(out, key + '=' + text))
                 warn("out-of-range", "camera." + key, text + " cannot be used; ignored");
             return true;
@@ -319,7 +336,9 @@ Expected<StateRead> fromJson(const State& base, const std::string& text, const f
     if (version == json.end() || !version->is_number_integer())
         return failure(
             where, "this is not a Relievo project or preset (no \"relievo\" version number)", "Choose a file that Relievo has saved");
-    if (version->get<long long>() > kStateVersion)
+    if (!version->is_number_unsigned() || version->get<std::uint64_t>() < 1)
+        return failure(where, "there is no version " + version->dump() + " of Relievo's files", "Choose a file that Relievo has saved");
+    if (version->get<std::uint64_t>() > std::uint64_t(kStateVersion))
         return failure(where, "the file was saved by a newer Relievo (version " + version->dump() + ')', "Open it with a newer Relievo");
     StateRead result{base, {}};
     Reader reader(folder, where);

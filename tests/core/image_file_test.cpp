@@ -340,3 +340,32 @@ TEST(ImageFile, UnusualDepthsKeepTheirValues)
                     << bits;
     }
 }
+
+TEST(ImageFile, TwoFreshTimeOutsBlameTheHelper)
+{
+    HangGuard guard;
+    const auto now = HangGuard::Clock::now();
+    guard.note(HelperTrouble::TimedOut, false, now); // an old helper: perhaps hurt by an earlier file
+    guard.note(HelperTrouble::TimedOut, true, now);
+    EXPECT_FALSE(guard.refuses(now));
+    guard.note(HelperTrouble::None, true, now);
+    guard.note(HelperTrouble::TimedOut, true, now);
+    EXPECT_FALSE(guard.refuses(now));
+    guard.note(HelperTrouble::TimedOut, true, now);
+    EXPECT_TRUE(guard.refuses(now));
+    EXPECT_FALSE(guard.refuses(now + std::chrono::minutes(2)));
+}
+
+TEST(ImageFile, AnOrientationTagIsTold)
+{
+    const TemporaryFolder folder;
+    // Big-endian Exif of one entry: orientation 6.
+    const std::string exif("Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0", 32);
+    ASSERT_TRUE(writeImage(folder / "a.jpg", noiseImage(16, 16, 3, PixelType::U8)));
+    const std::string plain = readAll(folder / "a.jpg");
+    writeAll(folder / "b.jpg", plain.substr(0, 2) + std::string("\xff\xe1\0\x22", 4) + exif + plain.substr(2));
+    EXPECT_FALSE(tells(readImage(folder / "a.jpg")->warnings, "orientation"));
+    const auto turned = readImage(folder / "b.jpg");
+    ASSERT_TRUE(turned) << message(turned.error());
+    EXPECT_TRUE(tells(turned->warnings, "orientation"));
+}

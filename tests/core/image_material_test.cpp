@@ -321,3 +321,71 @@ TEST(Material, FlippedHeightsAreStoredValues)
         EXPECT_EQ(plain->height->texel(v, 0), float(v) / 255.f);
     }
 }
+
+TEST(Material, FloatSharesAreClampedNotStretched)
+{
+    const TemporaryFolder folder;
+    const Image image = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int y, int) {
+        return x + y == 0 ? 1.5f : x == 1 ? -0.2f : 0.9f;
+    });
+    for (const MapKind kind : {MapKind::Roughness, MapKind::Metallic, MapKind::AmbientOcclusion, MapKind::Opacity}) {
+        const auto material = loadOne(folder, "m.exr", image, kind);
+        ASSERT_TRUE(material) << message(material.error());
+        EXPECT_EQ(material->map(kind)->value(0, 0, 0), 1.f);
+        EXPECT_EQ(material->map(kind)->value(1, 0, 0), 0.f);
+        EXPECT_EQ(material->map(kind)->value(5, 5, 0), 0.9f);
+        EXPECT_TRUE(tells(material->warnings, "value-range"));
+    }
+}
+
+TEST(Material, HeightsThatOvershootSlightlyAreClamped)
+{
+    const TemporaryFolder folder;
+    for (const float peak : {1.005f, 1.2f}) {
+        const Image image
+            = makeImage(kSize, kSize, 1, PixelType::F32, [=](int x, int y, int) { return x + y == 0 ? peak : 0.3f + 0.01f * float(x); });
+        const auto material = loadOne(folder, "h.exr", image, MapKind::Height);
+        ASSERT_TRUE(material);
+        EXPECT_EQ(tells(material->warnings, "value-range"), peak < 1.1f);
+        EXPECT_EQ(tells(material->warnings, "height-range"), peak > 1.1f);
+        if (peak < 1.1f)
+            EXPECT_FLOAT_EQ(material->height->texel(1, 1), 0.31f);
+        else
+            EXPECT_FLOAT_EQ(material->height->texel(1, 1), (0.31f - 0.3f) / (peak - 0.3f));
+    }
+}
+
+TEST(Material, ElevationWithoutDataIsFilled)
+{
+    const TemporaryFolder folder;
+    for (const float mark : {-9999.f, -32768.f, -3.4e38f}) {
+        const Image image
+            = makeImage(kSize, kSize, 1, PixelType::F32, [=](int x, int y, int) { return x == 4 && y == 4 ? mark : 100.f + float(x * y); });
+        const auto material = loadOne(folder, "h.exr", image, MapKind::Height);
+        ASSERT_TRUE(material);
+        EXPECT_TRUE(tells(material->warnings, "no-data")) << mark;
+        EXPECT_EQ(material->height->texel(kSize - 1, kSize - 1), 1.f);
+        EXPECT_FLOAT_EQ(material->height->texel(4, 4), 16.f / float((kSize - 1) * (kSize - 1))); // the neighbours' mean
+    }
+    // A depth that is reached step by step is one.
+    const Image deep = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int, int) { return -9999.f + float(x) * 500.f; });
+    EXPECT_FALSE(tells(loadOne(folder, "h.exr", deep, MapKind::Height)->warnings, "no-data"));
+}
+
+TEST(Material, WholeNumbersAreMappedFromTheirRange)
+{
+    Image image = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int, int) { return float(x) * 1e-6f; });
+    image.storedFloat = false; // as 32 bits of integers arrive
+    EXPECT_EQ(soundScalars(image, Channel::R, false)[kSize - 1], 1.f);
+    EXPECT_TRUE(tells(warningsOf(scalarTrouble(image, Channel::R), "h.exr"), "height-range"));
+    image.storedBits = 16; // signed, as TIFF has them
+    std::vector<float> values(image.texelCount(), 100.f / 32767);
+    values[5] = -1.f; // -32768
+    values[9] = 3000.f / 32767;
+    values[200] = 1550.f / 32767;
+    std::memcpy(image.data.data(), values.data(), image.data.size());
+    EXPECT_EQ(scalarTrouble(image, Channel::R).noData, 1u);
+    EXPECT_EQ(soundScalars(image, Channel::R, false)[9], 1.f);
+    EXPECT_NEAR(soundScalars(image, Channel::R, false)[200], 0.5f, 1e-4);
+    EXPECT_EQ(soundScalars(image, Channel::R, false)[5], 0.f); // as its neighbours
+}

@@ -1,6 +1,7 @@
 // Borders of the relief: which edges are some, which triangles know of them, and that seams are none.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/across.h"
 #include "core/mesh/borders.h"
 #include "core/mesh/frames.h"
 #include "core/mesh/shapes.h"
@@ -40,7 +41,72 @@ Mesh corner()
     return mesh;
 }
 
+// A strip of `quads` squares of 1 cm in xz; all their UVs are one point when `mapped` is false.
+Mesh strip(std::uint32_t quads, bool mapped)
+{
+    Mesh mesh;
+    for (std::uint32_t i = 0; i <= quads; ++i)
+        for (const float z : {0.f, 0.01f})
+            mesh.vertices.push_back({.position = {0.01f * float(i), 0.f, z},
+                .normal = {0.f, 1.f, 0.f},
+                .uv = mapped ? glm::vec2(0.01f * float(i), z) : glm::vec2(0.f),
+                .tangent = {},
+                .dPdu = {},
+                .dPdv = {}});
+    for (std::uint32_t i = 0; i < 2 * quads; i += 2)
+        mesh.indices.insert(mesh.indices.end(), {i, i + 1, i + 3, i, i + 3, i + 2});
+    mesh.parts = {{"strip", "", 0, std::uint32_t(mesh.indices.size())}};
+    completeFrames(mesh);
+    return mesh;
+}
+
+// `count` triangles that all have the edge from (0, 0, 0) to (0, 0, 1), and as many that run back along it.
+Mesh book(int count)
+{
+    Mesh mesh;
+    for (int i = 0; i < 2 * count; ++i) {
+        const std::uint32_t first = std::uint32_t(mesh.vertices.size());
+        for (const glm::vec3 p : {glm::vec3(0.f), glm::vec3(0.f, 0.f, 1.f), glm::vec3(i % 2 == 0 ? 1.f : -1.f, 0.f, 0.5f)})
+            mesh.vertices.push_back({.position = p, .normal = {0.f, 1.f, 0.f}, .uv = {p.x, p.z}, .tangent = {}, .dPdu = {}, .dPdv = {}});
+        mesh.indices.insert(mesh.indices.end(), {first + std::uint32_t(i % 2), first + 1 - std::uint32_t(i % 2), first + 2});
+    }
+    mesh.parts = {{"book", "", 0, std::uint32_t(mesh.indices.size())}};
+    completeFrames(mesh);
+    return mesh;
+}
+
 } // namespace
+
+// What follows keeps the cost of large meshes in proportion to their size.
+TEST(Borders, EdgesOfVeryManyTrianglesAndOfNoLengthGoOnNowhere)
+{
+    const std::vector<std::uint32_t> few = edgesAcross(book(16)), many = edgesAcross(book(17));
+    for (std::size_t e = 0; e < few.size(); e += 3)
+        EXPECT_NE(few[e], kNoEdge) << e;
+    for (const std::uint32_t other : many)
+        EXPECT_EQ(other, kNoEdge);
+    Mesh point = strip(1, true);
+    point.indices.insert(point.indices.end(), {0, 0, 0, 1, 1, 1});
+    const std::vector<std::uint32_t> across = edgesAcross(point);
+    for (std::size_t e = 6; e < across.size(); ++e)
+        EXPECT_EQ(across[e], kNoEdge) << e;
+}
+
+TEST(Borders, OneSegmentStandsForAtMost256Edges)
+{
+    const Borders borders = bordersOf(strip(600, true));
+    ASSERT_FALSE(borders.starts.empty());
+    float longest = 0.f;
+    for (const glm::vec4 s : borders.segments)
+        longest = std::max(longest, glm::distance(glm::vec2(s.x, s.y), glm::vec2(s.z, s.w)));
+    EXPECT_NEAR(longest, 2.56f, 1e-4f);
+}
+
+TEST(Borders, TrianglesWithoutAnAreaInTheTextureHaveNone)
+{
+    EXPECT_TRUE(bordersOf(strip(10, false)).segments.empty());
+    EXPECT_FALSE(bordersOf(strip(10, true)).segments.empty());
+}
 
 TEST(Borders, SmoothClosedShapesHaveNone)
 {

@@ -116,12 +116,55 @@ TEST(StateJson, AFilesPanesOverrideItsParametersInAnyOrder)
 
 TEST(StateJson, ForeignAndNewerFilesAreRefused)
 {
-    for (const char* text : {"", "{", "[]", "3", "{}", R"({"relievo":"1"})", R"({"relievo":2})"}) {
+    for (const char* text : {"", "{", "[]", "3", "{}", R"({"relievo":"1"})", R"({"relievo":2})", R"({"relievo":0})", R"({"relievo":-7})",
+             R"({"relievo":18446744073709551615})"}) {
         const auto read = fromJson(State(), text, "/", "x.relievo");
         ASSERT_FALSE(read) << text;
         EXPECT_EQ(read.error().where, "x.relievo");
         EXPECT_FALSE(read.error().hint.empty());
     }
+}
+
+TEST(StateJson, DeeplyNestedListsAreToldNotFollowed)
+{
+    const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+    for (const std::string& camera : {R"("yaw":)" + deep, R"("target":[)" + deep + ",0,0]", R"("distance":"1")" + std::string()}) {
+        const auto read = fromJson(State(), R"({"relievo":1,"camera":{)" + camera + "}}", "/", "x.relievo");
+        ASSERT_TRUE(read);
+        EXPECT_EQ(read->state, State());
+        EXPECT_TRUE(warnsOf(read->warnings, "wrong-kind", "camera."));
+    }
+}
+
+TEST(StateJson, BackslashesNameFoldersWhereNoSuchFileIs)
+{
+    const auto fileOf = [](const fs::path& folder) {
+        const auto read = fromJson(State(), R"({"relievo":1,"maps":{"color":{"file":"tex\\a.png"}}})", folder, "x.relievo");
+        return read->state.slots[std::size_t(MapKind::Color)].file;
+    };
+    const fs::path folder = fs::temp_directory_path() / "relievo_backslash_test";
+    fs::create_directories(folder);
+    EXPECT_EQ(fileOf(folder), (folder / "tex/a.png").string());
+    ASSERT_TRUE(writeAtomically(folder / "tex\\a.png", std::string_view("x")));
+    EXPECT_EQ(fileOf(folder), (folder / "tex\\a.png").string());
+    fs::remove_all(folder);
+}
+
+TEST(StateJson, PathsBesideALinkedFolderComeBack)
+{
+    const fs::path folder = fs::canonical(fs::temp_directory_path()) / "relievo_linked_test";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "far/project");
+    fs::create_directories(folder / "tex");
+    fs::create_directory_symlink(folder / "far/project", folder / "link");
+    State state;
+    state.slots[0].file = (folder / "tex/h.png").string();
+    const auto read = fromJson(State(), toJson(state, folder / "link"), folder / "link", "x.relievo");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->state.slots[0].file, state.slots[0].file);
+    EXPECT_EQ(absolutePath(folder / "link/../x"), folder / "far/x");
+    EXPECT_EQ(absolutePath(folder / "./link//x"), folder / "link/x");
+    fs::remove_all(folder);
 }
 
 TEST(StateJson, PresetsOfTheProgramAreSound)
@@ -191,4 +234,27 @@ TEST(File, AFailedWriteKeepsTheOldFile)
     EXPECT_FALSE(writeAtomically(file / "below", std::string_view("x"))); // its parent is no folder
     EXPECT_EQ(*readText(file), "kept");
     fs::remove(file);
+}
+
+TEST(File, SavingKeepsRightsLinksAndLongNames)
+{
+    const fs::path folder = fs::temp_directory_path() / "relievo_rights_test";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const fs::path file = folder / "private.txt", link = folder / "link.txt", longest = folder / std::string(255, 'x');
+    ASSERT_TRUE(writeAtomically(file, std::string_view("old")));
+    const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+    fs::permissions(file, own);
+    ASSERT_TRUE(writeAtomically(file, std::string_view("new")));
+    EXPECT_EQ(fs::status(file).permissions(), own);
+    fs::create_symlink("made.txt", link);
+    ASSERT_TRUE(writeAtomically(link, std::string_view("through")));
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(*readText(folder / "made.txt"), "through");
+    fs::create_symlink("loop.txt", folder / "loop.txt");
+    EXPECT_FALSE(writeAtomically(folder / "loop.txt", std::string_view("x")));
+    const auto written = writeAtomically(longest, std::string_view("x"));
+    EXPECT_TRUE(written) << message(written.error());
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 5); // no litter
+    fs::remove_all(folder);
 }

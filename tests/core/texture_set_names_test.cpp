@@ -98,6 +98,41 @@ constexpr NameCase kNames[] = {
     {"Avocado_roughnessMetallic", "roughness:g metallic:b", "avocado"},
     {"wall_orm", "ao:r roughness:g metallic:b", "wall"},
     {"wall_rma", "roughness:r metallic:g ao:b", "wall"},
+    {"Rock_MaskMap", "metallic:r ao:g gloss:a", "rock"},
+    {"Rock_MAODS", "metallic:r ao:g gloss:a", "rock"},
+    {"Rock_MetallicSmoothness", "metallic:r gloss:a", "rock"},
+    {"Rock_MetallicGlossMap", "metallic:r gloss:a", "rock"},
+    {"Rock_SpecularSmoothness", "specular gloss:a", "rock"},
+    {"Rock_AlbedoTransparency", "color opacity:a", "rock"},
+    {"Rock_BaseMap", "color", "rock"},
+    {"Rock_MainTex", "color", "rock"},
+    {"T_Rock_BC", "color", "t_rock"},
+    {"T_Rock_ORMH", "ao:r roughness:g metallic:b height:a", "t_rock"},
+    {"T_Rock_RMAH", "roughness:r metallic:g ao:b height:a", "t_rock"},
+    {"T_Rock_MRAO", "metallic:r roughness:g ao:b", "t_rock"},
+    {"T_Rock_ORDp", "ao:r roughness:g height:b", "t_rock"},
+    {"T_Rock_DpRA", "height:r roughness:g ao:b", "t_rock"},
+    {"metallic-Rock_roughness", "roughness:g metallic:b", "rock"},
+    {"Rock_metallic-Rock_roughness", "roughness:g metallic:b", "rock"},
+    {"Metal-Rock_roughness", "roughness", "metal_rock"},
+    {"rock_displ", "height", "rock", kH},
+    {"rock_hm", "height", "rock", kH},
+    {"rock_ddn", "normal", "rock"},
+    {"rock_nm", "normal", "rock"},
+    {"rock_glossy", "gloss", "rock"},
+    {"Rock_specularLevel", "specular", "rock"},
+    // Takes and bit depths
+    {"brick_albedo_v2", "color", "brick"},
+    {"brick_v2_albedo", "color", "brick_v2"},
+    {"brick_height_ver03", "height", "brick", kH},
+    {"Bricks001_COL_VAR1_3K", "color", "bricks001"},
+    {"rock_color - Copy", "color", "rock"},
+    {"rock_color_old", "color", "rock"},
+    {"rock_new_normal", "normal", "rock_new"},
+    {"Bricks001_DISP16_3K", "height", "bricks001", kH},
+    {"Bricks001_NRM16_3K", "normal", "bricks001"},
+    {"coast_sand_01_coll2_1k", "color", "coast_sand_01"},
+    {"height2", "height", "2", kH},
     // Single words, spaces, dots, case
     {"height", "height", "", kH},
     {"DEPTH", "height", "", kD},
@@ -189,6 +224,49 @@ TEST(TextureSetNames, AMaterialsNameMayEndInAKindWord)
     // A map that is named twice over keeps its own set.
     const std::vector<std::filesystem::path> twice = {"rock_h.png", "rock_n.png", "rock_metallic.png", "rock_metallic_ao.png"};
     EXPECT_TRUE(groupFiles(twice)[0].holds(MapKind::Metallic));
+}
+
+TEST(TextureSetNames, AMaterialsNameMayEndInAColourOrNormalWord)
+{
+    for (const std::string name : {"MultiColor", "RoughNormal"}) {
+        std::vector<std::filesystem::path> files;
+        for (const char* kind : {"Color", "Height", "Normal", "Roughness", "AO", "Metallic"})
+            files.push_back(name + "_" + kind + ".png");
+        const std::vector<FileGroup> groups = groupFiles(files);
+        ASSERT_EQ(groups.size(), 1u) << name;
+        EXPECT_EQ(groups[0].title, name);
+        EXPECT_EQ(groups[0].kinds(), 6) << name;
+    }
+}
+
+TEST(TextureSetNames, PoliigonsWorkflowIsNoKind)
+{
+    std::vector<std::filesystem::path> files;
+    for (const char* kind : {"BUMP", "COL", "DISP", "METALNESS", "NRM", "ROUGHNESS"})
+        files.push_back("Tiles_001_" + std::string(kind) + "_1K_METALNESS.png");
+    const std::vector<FileGroup> groups = groupFiles(files);
+    ASSERT_EQ(groups.size(), 1u);
+    EXPECT_EQ(groups[0].title, "Tiles_001");
+    EXPECT_EQ(groups[0].kinds(), 5);
+    // Materials whose names end in a kind word and a number.
+    const std::vector<std::filesystem::path> two
+        = {"wall_metal_01_color.png", "wall_metal_01_normal.png", "wall_rough_01_color.png", "wall_rough_01_normal.png"};
+    EXPECT_EQ(groupFiles(two).size(), 2u);
+    EXPECT_EQ(groupFiles(two)[0].title, "wall_metal_01");
+}
+
+TEST(TextureSetNames, TheLetterBIsColorBesideMegascansPackedMaps)
+{
+    const auto first = [](const std::vector<std::filesystem::path>& files) { return groupFiles(files)[0]; };
+    EXPECT_TRUE(first({"T_Rock_B.png", "T_Rock_N.png", "T_Rock_ORDp.png"}).holds(MapKind::Color));
+    EXPECT_FALSE(first({"T_Rock_B.png", "T_Rock_N.png", "T_Rock_H.png"}).holds(MapKind::Color));
+}
+
+TEST(TextureSetNames, ResolutionsAreKept)
+{
+    EXPECT_EQ(guessFromName("wood_diff_4K").resolution, "4k");
+    EXPECT_EQ(guessFromName("wood_2048_diff_16bit").resolution, "2048");
+    EXPECT_EQ(guessFromName("wood_diff_16bit").resolution, "");
 }
 
 TEST(TextureSetNames, MapKindsAreFoundByKey)

@@ -77,6 +77,15 @@ TEST(Cli, WrongUsageIsTwo)
     }
 }
 
+TEST(Cli, AnUnknownCommandIsNamed)
+{
+    for (const char* arguments : {"audit", "audit sample:bricks", "audit sample:bricks --budget 3"}) {
+        const ProgramRun run = runRelievo(arguments);
+        EXPECT_EQ(run.exitCode, 2);
+        EXPECT_NE(run.err.find("audit"), std::string::npos) << run.err;
+    }
+}
+
 TEST(Cli, FailuresAreOneWithOneSentenceThatNamesTheFile)
 {
     TestFolder folder("failures");

@@ -1,0 +1,113 @@
+// Copies of unsaved work.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/recovery.h"
+#include "core/state/state_json.h"
+#include <QAbstractButton>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QMessageBox>
+#include <QStandardPaths>
+
+namespace relievo {
+namespace {
+constexpr int kWait = 3000; // ms from a change to the copy
+
+bool runs(const QString& process)
+{
+    QFile name("/proc/" + process + "/comm");
+    return name.open(QIODevice::ReadOnly) && name.readAll().startsWith("relievo");
+}
+} // namespace
+
+QString recoveryFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/unsaved";
+}
+
+Recovery::Recovery(Document& document, const QString& folder)
+    : m_document(document)
+    , m_file(QDir(folder).filePath(QString("%1.relievo").arg(QCoreApplication::applicationPid())))
+{
+    m_wait.setSingleShot(true);
+    m_wait.setInterval(kWait);
+    connect(&m_wait, &QTimer::timeout, this, &Recovery::write);
+    connect(&document, &Document::changed, this, &Recovery::documentChanged);
+    connect(&document, &Document::titleChanged, this, &Recovery::documentChanged);
+}
+
+Recovery::~Recovery()
+{
+    QFile::remove(m_file);
+}
+
+void Recovery::documentChanged()
+{
+    if (m_document.isModified()) {
+        if (!m_wait.isActive())
+            m_wait.start();
+        return;
+    }
+    m_wait.stop();
+    QFile::remove(m_file);
+}
+
+// A copy that cannot be written is no reason to disturb: saving the project would tell.
+void Recovery::write()
+{
+    if (QDir().mkpath(QFileInfo(m_file).path()))
+        (void)writeState(m_document.state(), m_file.toStdString());
+}
+
+QString leftBehind(const QString& folder)
+{
+    for (const QFileInfo& copy : QDir(folder).entryInfoList({"*.relievo"}, QDir::Files, QDir::Time))
+        if (!runs(copy.completeBaseName()))
+            return copy.filePath();
+    return {};
+}
+
+void restore(MainWindow& window, const QString& copy)
+{
+    const auto read = readState(State{}, copy.toStdString());
+    if (!read) {
+        QFile::remove(copy); // it was cut off by the crash itself
+        return;
+    }
+    Document* document = &window.document();
+    QObject::connect(
+        document, &Document::started, document,
+        [document, copy] {
+            document->undoStack().resetClean(); // unsaved: it asks before it is lost again
+            QFile::remove(copy);
+        },
+        Qt::SingleShotConnection);
+    window.assets().openState(read->state, read->warnings);
+}
+
+void offerLeftBehind(MainWindow& window)
+{
+    const QString copy = leftBehind();
+    const auto read = copy.isEmpty() ? Expected<StateRead>(StateRead()) : readState(State{}, copy.toStdString());
+    if (copy.isEmpty() || !read) {
+        QFile::remove(copy);
+        return;
+    }
+    const QString when = QLocale().toString(QFileInfo(copy).lastModified(), QLocale::ShortFormat);
+    auto* question = new QMessageBox(QMessageBox::Question, QObject::tr("Unsaved work"),
+        QObject::tr("Relievo ended before \"%1\" was saved (%2).").arg(QString::fromStdString(read->state.name), when),
+        QMessageBox::NoButton, &window);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    QAbstractButton* restored = question->addButton(QObject::tr("Restore"), QMessageBox::AcceptRole);
+    QAbstractButton* discarded = question->addButton(QObject::tr("Discard"), QMessageBox::DestructiveRole);
+    QObject::connect(question, &QMessageBox::buttonClicked, &window, [&window, copy, restored, discarded](QAbstractButton* button) {
+        if (button == restored)
+            restore(window, copy);
+        else if (button == discarded)
+            QFile::remove(copy);
+    });
+    question->open();
+}
+
+} // namespace relievo

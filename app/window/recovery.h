@@ -1,0 +1,37 @@
+// Unsaved work outlives a crash: it is written to a folder of the user's some seconds after a change, and offered at the next start.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "app/window/main_window.h"
+#include <QTimer>
+
+namespace relievo {
+
+// ... in the user's own data folder.
+QString recoveryFolder();
+
+// Keeps a copy of the document while it is modified, in a file named after this process; an end in good order removes it.
+class Recovery : public QObject {
+public:
+    explicit Recovery(Document& document, const QString& folder = recoveryFolder());
+    ~Recovery() override;
+    QString file() const { return m_file; }
+
+private:
+    void documentChanged();
+    void write();
+    Document& m_document;
+    QString m_file;
+    QTimer m_wait;
+};
+
+// The newest copy whose program runs no more; "" for none.
+QString leftBehind(const QString& folder = recoveryFolder());
+
+// Opens a copy as untitled, unsaved work and removes it.
+void restore(MainWindow& window, const QString& copy);
+
+// Asks whether what was left behind shall be opened or discarded; closing the question keeps it for the next start.
+void offerLeftBehind(MainWindow& window);
+
+} // namespace relievo

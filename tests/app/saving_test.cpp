@@ -1,0 +1,217 @@
+// What is written and what is asked first: saving, exporting, closing.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/export_dialog.h"
+#include "core/state/state_json.h"
+#include "tests/app/window_support.h"
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <algorithm>
+
+using namespace relievo;
+
+namespace {
+class SavingTest : public WindowTest {
+protected:
+    ExportDialog& exportTo(const char* key)
+    {
+        window.action("export")->trigger();
+        auto& dialog = *window.findChild<ExportDialog*>();
+        int target = 0;
+        while (kExports[std::size_t(target)].key != key)
+            ++target;
+        dialog.setTarget(target);
+        return dialog;
+    }
+    static QLineEdit& out(ExportDialog& dialog) { return *dialog.findChild<QLineEdit*>("out"); }
+    static QLabel& result(ExportDialog& dialog) { return *dialog.findChild<QLabel*>("result"); }
+    static void finish(ExportDialog& dialog)
+    {
+        ASSERT_TRUE(waitFor([&] { return !dialog.busy(); }));
+    }
+    // The question that is open now; nullptr when there is none.
+    static QMessageBox* asked(QWidget& parent, const char* name)
+    {
+        for (QMessageBox* box : parent.findChildren<QMessageBox*>(name))
+            if (box->isVisible())
+                return box;
+        return nullptr;
+    }
+    static void answer(QMessageBox& box, QMessageBox::ButtonRole role)
+    {
+        for (QAbstractButton* button : box.buttons())
+            if (box.buttonRole(button) == role)
+                return button->click();
+    }
+    void write(const char* name)
+    {
+        QFile there(file(name));
+        ASSERT_TRUE(there.open(QIODevice::WriteOnly));
+        there.write("mine");
+    }
+    QByteArray contents(const char* name)
+    {
+        QFile there(file(name));
+        return there.open(QIODevice::ReadOnly) ? there.readAll() : QByteArray();
+    }
+    // Saves as `name` by the file chooser.
+    void saveAs(const char* name)
+    {
+        window.document().start(state(), {}); // a chooser that proposes a file that is there would ask on its own
+        window.files().saveAs();
+        const auto choosers = window.findChildren<QFileDialog*>(); // those that are done may still be there
+        const auto chooser = std::ranges::find_if(choosers, &QWidget::isVisible);
+        ASSERT_NE(chooser, choosers.end());
+        (*chooser)->setDirectory(folder.path());
+        auto* typed = (*chooser)->findChild<QLineEdit*>("fileNameEdit");
+        typed->setText(name);
+        Q_EMIT typed->textEdited(name); // the proposal is no longer selected
+        QTimer::singleShot(500, *chooser, [] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()); box && box->objectName().isEmpty())
+                box->reject(); // never hang
+        });
+        static_cast<QDialog*>(*chooser)->accept();
+        QTest::qWait(10);
+    }
+    void type(const char* text)
+    {
+        auto* field = editor("depth").findChild<NumberField*>();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+    }
+};
+} // namespace
+
+TEST_F(SavingTest, ANumberBeingTypedIsSaved)
+{
+    ASSERT_TRUE(window.document().save(file("a.relievo")));
+    type("0.25");
+    window.action("save")->trigger();
+    EXPECT_FLOAT_EQ(readState(State{}, file("a.relievo").toStdString())->state.parameters.depth, 0.25f);
+    type("0.31");
+    window.close();
+    EXPECT_NE(asked(window, "unsaved"), nullptr) << "the number counts as unsaved";
+    EXPECT_FLOAT_EQ(state().parameters.depth, 0.31f);
+}
+
+TEST_F(SavingTest, ANameWithADotGetsItsSuffix)
+{
+    saveAs("bricks v1.2");
+    EXPECT_EQ(window.document().file(), file("bricks v1.2.relievo"));
+    EXPECT_TRUE(QFile::exists(file("bricks v1.2.relievo")));
+    EXPECT_FALSE(QFile::exists(file("bricks v1.2")));
+    write("wall v2.0.relievo");
+    saveAs("wall v2.0");
+    QMessageBox* box = asked(window, "replace");
+    ASSERT_NE(box, nullptr);
+    answer(*box, QMessageBox::RejectRole);
+    EXPECT_EQ(contents("wall v2.0.relievo"), "mine");
+    QTest::qWait(10);
+    saveAs("wall v2.0");
+    box = asked(window, "replace");
+    ASSERT_NE(box, nullptr);
+    answer(*box, QMessageBox::AcceptRole);
+    EXPECT_EQ(window.document().file(), file("wall v2.0.relievo"));
+}
+
+TEST_F(SavingTest, AnExportAsksBeforeItReplaces)
+{
+    write("look.json");
+    ExportDialog& dialog = exportTo("preset");
+    dialog.setOut(file("look.json"));
+    dialog.run();
+    QMessageBox* box = asked(dialog, "replace");
+    ASSERT_NE(box, nullptr);
+    answer(*box, QMessageBox::RejectRole);
+    finish(dialog);
+    EXPECT_EQ(contents("look.json"), "mine");
+    QTest::qWait(10);
+    dialog.run();
+    answer(*asked(dialog, "replace"), QMessageBox::AcceptRole);
+    finish(dialog);
+    EXPECT_NE(contents("look.json"), "mine");
+    QTest::qWait(10);
+    dialog.run();
+    EXPECT_EQ(asked(dialog, "replace"), nullptr) << "written by this dialog for this document";
+    finish(dialog);
+    window.document().start(state(), {});
+    dialog.run();
+    EXPECT_NE(asked(dialog, "replace"), nullptr) << "another document";
+}
+
+TEST_F(SavingTest, AFullFolderIsAskedAboutToo)
+{
+    write("mine.txt");
+    ExportDialog& dialog = exportTo("textures");
+    dialog.setOut(folder.path());
+    dialog.run();
+    ASSERT_NE(asked(dialog, "replace"), nullptr);
+    answer(*asked(dialog, "replace"), QMessageBox::RejectRole);
+    dialog.setOut(file("new"));
+    dialog.run();
+    finish(dialog);
+    EXPECT_TRUE(QFileInfo(file("new")).isDir());
+}
+
+TEST_F(SavingTest, TheExportFollowsTheDocument)
+{
+    ExportDialog& dialog = exportTo("preset");
+    EXPECT_TRUE(out(dialog).text().contains("bricks"));
+    dialog.setOut("/no/such/folder/look.json");
+    dialog.run();
+    finish(dialog);
+    EXPECT_FALSE(result(dialog).isHidden());
+    dialog.setTarget(0);
+    dialog.close();
+    window.assets().openDocument("sample:terrain@64", State{});
+    settle();
+    window.action("export")->trigger();
+    EXPECT_TRUE(out(dialog).text().contains("terrain")) << out(dialog).text().toStdString();
+    EXPECT_TRUE(result(dialog).isHidden());
+    dialog.setOut(file("typed.glb"));
+    dialog.close();
+    window.action("export")->trigger();
+    EXPECT_EQ(out(dialog).text(), file("typed.glb")) << "what was named stays";
+}
+
+TEST_F(SavingTest, ExportFaultsAreTold)
+{
+    ExportDialog& dialog = exportTo("preset");
+    dialog.setOut(file("look.json"));
+    window.maps().setMesh("teapot");
+    window.document().edit("Mesh", [](State& s) { s.mesh = "/no/such/mesh.obj"; });
+    dialog.run();
+    EXPECT_TRUE(result(dialog).text().contains("not loaded")) << result(dialog).text().toStdString();
+    EXPECT_FALSE(QFile::exists(file("look.json")));
+    Q_EMIT dialog.findChild<Background*>()->failed("no memory");
+    EXPECT_TRUE(result(dialog).text().contains("no memory"));
+
+    MainWindow other;
+    ExportDialog empty(other.document(), other.assets());
+    empty.run();
+    EXPECT_FALSE(result(empty).text().isEmpty()) << "nothing is loaded at all";
+}
+
+TEST_F(SavingTest, ClosingAsksAboutARunningExport)
+{
+    window.assets().openDocument("sample:cobblestones@512", State{});
+    settle();
+    ExportDialog& dialog = exportTo("textures");
+    dialog.setOut(file("textures"));
+    dialog.run();
+    ASSERT_TRUE(dialog.busy());
+    window.close();
+    EXPECT_TRUE(window.isVisible());
+    QMessageBox* box = asked(window, "unsaved");
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(box->text().contains("export")) << box->text().toStdString();
+    answer(*box, QMessageBox::RejectRole);
+    finish(dialog);
+    EXPECT_TRUE(window.isVisible());
+    EXPECT_TRUE(QFileInfo(file("textures")).isDir());
+    window.close();
+    EXPECT_FALSE(window.isVisible()) << "nothing runs and nothing is unsaved";
+}
