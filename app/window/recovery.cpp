@@ -16,6 +16,8 @@ constexpr int kWait = 3000; // ms from a change to the copy
 
 bool runs(const QString& process)
 {
+    if (process == QString::number(QCoreApplication::applicationPid()))
+        return true;
     QFile name("/proc/" + process + "/comm");
     return name.open(QIODevice::ReadOnly) && name.readAll().startsWith("relievo");
 }
@@ -95,7 +97,7 @@ void offerLeftBehind(MainWindow& window)
         return;
     }
     const QString when = QLocale().toString(QFileInfo(copy).lastModified(), QLocale::ShortFormat);
-    auto* question = new QMessageBox(QMessageBox::Question, QObject::tr("Unsaved work"),
+    auto* question = new QMessageBox(QMessageBox::NoIcon, QObject::tr("Unsaved work"),
         QObject::tr("Relievo ended before \"%1\" was saved (%2).").arg(QString::fromStdString(read->state.name), when),
         QMessageBox::NoButton, &window);
     question->setAttribute(Qt::WA_DeleteOnClose);
