@@ -145,7 +145,7 @@ Expected<void> writeAtomically(const fs::path& file, std::span<const std::byte> 
     const Expected<fs::path> target = targetOf(file);
     if (!target)
         return tl::unexpected(target.error());
-    std::string name = (target->parent_path() / ".relievo-XXXXXX").string(); // short, whatever the file's name
+    std::string name = (target->parent_path() / kTemporaryName).string(); // short, whatever the file's name
     Temporary temporary;
     temporary.handle = ::mkstemp(name.data());
     if (temporary.handle < 0)

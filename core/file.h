@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace relievo {
@@ -21,6 +22,8 @@ Expected<std::vector<std::byte>> readBytes(const std::filesystem::path& file, st
 // The old file stays whole until the new one is: disk full, no permission and a missing folder leave it as it was and no litter.
 // The new file has the rights of the old one. A symbolic link stays one: its target is replaced, or made. Devices and pipes (/dev/stdout,
 // /dev/null) are written to, never replaced.
+// What a crash leaves behind lies beside the file and bears kTemporaryName, its X replaced by letters and digits.
+inline constexpr std::string_view kTemporaryName = ".relievo-XXXXXX";
 Expected<void> writeAtomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
 Expected<void> writeAtomically(const std::filesystem::path& file, std::string_view text);
 

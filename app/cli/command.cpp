@@ -165,9 +165,7 @@ Result<Scene> openScene(const StateOptions& options, const Progress& progress)
         return problem(resources.error());
     Scene scene{std::move(opened->state), std::move(*resources), std::move(opened->warnings)};
     for (const Warnings* more : {&scene.resources.material->warnings, &scene.resources.mesh->warnings})
-        for (const Warning& warning : *more)
-            if (!std::ranges::count(scene.warnings, warning))
-                scene.warnings.push_back(warning);
+        scene.warnings.insert(scene.warnings.end(), more->begin(), more->end()); // what stands in both is told once
     if (auto warning = missingClip(scene))
         scene.warnings.push_back(std::move(*warning));
     return scene;

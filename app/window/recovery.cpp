@@ -80,7 +80,9 @@ void restore(MainWindow& window, const QString& copy)
     Document* document = &window.document();
     QObject::connect(
         document, &Document::started, document,
-        [document, copy] {
+        [document, copy, wanted = read->state] {
+            if (document->state() != wanted)
+                return; // it could not be opened, and something else was: the copy waits for the next start
             document->undoStack().resetClean(); // unsaved: it asks before it is lost again
             QFile::remove(copy);
         },

@@ -97,10 +97,9 @@ fs::path fileOf(const fs::path& folder, const std::string& key)
 bool isOwnName(std::string_view name)
 {
     constexpr std::size_t kDigits = 32;
-    if (name.size() <= kDigits || name.find_first_not_of("0123456789abcdef") != kDigits)
-        return false;
-    const std::string_view suffix = name.substr(kDigits);
-    return suffix == ".map" || (suffix.starts_with(".map.") && suffix.size() == std::string_view(".map.XXXXXX").size());
+    const bool isMap = name.size() > kDigits && name.find_first_not_of("0123456789abcdef") == kDigits && name.substr(kDigits) == ".map";
+    const std::string_view temporary = kTemporaryName.substr(0, kTemporaryName.find('X'));
+    return isMap || (name.starts_with(temporary) && name.size() == kTemporaryName.size());
 }
 
 void trim(const fs::path& folder, std::uintmax_t limit)

@@ -202,10 +202,10 @@ TEST(MapCache, OnlyFilesOfTheCacheMakeRoom)
     const std::uintmax_t size = packedMap("0", map).size();
     const std::string digits(32, 'a');
     for (const std::string& name : {std::string("world.map"), std::string("site.mapping"), digits + ".map.old", digits + "b.map",
-             digits + ".mapfile", std::string(32, 'A') + ".map", digits})
+             digits + ".mapfile", digits + ".map.Xy09Zz", std::string(".relievorc"), std::string(32, 'A') + ".map", digits})
         writeAll(folder / name, std::string(size, 'x'));
     const auto foreign = filesIn(folder.path());
-    for (const std::string& name : {digits + ".map.Xy09Zz", std::string(32, '0') + ".map"}) // left by a crash, and an older map
+    for (const std::string& name : {std::string(".relievo-Xy09Zz"), std::string(32, '0') + ".map"}) // left by a crash, and an older map
         writeAll(folder / name, std::string(size, 'x'));
     for (const fs::path& file : filesIn(folder.path()))
         fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
