@@ -10,9 +10,9 @@ namespace relievo {
 
 namespace {
 
-constexpr int kFinest = 1; // shift of the finest grid
+constexpr int kFinest = 2; // shift of the finest grid
 constexpr int kStep = 2; // from grid to grid
-constexpr int kNodesAtFirst = 256; // a ray begins on the finest grid on which it crosses at most about so many nodes
+constexpr int kNodesAtFirst = 512; // a ray begins on the finest grid on which it crosses at most about so many nodes
 constexpr double kRounding = 1e-6; // texels; more than the rounding of uv(t), the places of rays that begin within kFarthest
 constexpr double kFarthest = double(1 << 29); // texels; cell indices are ints
 
@@ -149,17 +149,29 @@ private:
     const Axis& along() const { return m_steep ? y : x; }
     const Axis& across() const { return m_steep ? x : y; }
 
-    // The same in the cells of a column of nodes of the finest grid.
+    // The same in the columns of cells of a column of nodes of the finest grid; those whose texels the ray stays above are not solved.
     double inCells(int column, int shift, double begin, double end)
     {
-        const int direction = along().direction;
-        int cell = (column << shift) + (1 - along().ahead) * ((1 << shift) - 1);
-        for (int k = 0; k < 1 << shift; ++k, cell += direction)
-            if (along().leave(cell, 0) > begin && along().enter(cell, 0) < end) {
-                const double root = inColumn(cell, begin, end);
-                if (root != kNever)
-                    return root;
+        const Axis &a = along(), &b = across();
+        const int columnStride = m_steep ? x.size : 1, rowStride = m_steep ? 1 : x.size;
+        int cell = (column << shift) + (1 - a.ahead) * ((1 << shift) - 1);
+        for (int k = 0; k < 1 << shift; ++k, cell += a.direction) {
+            const double enter = std::max(begin, a.enter(cell, 0)), leave = std::min(end, a.leave(cell, 0));
+            if (enter >= leave)
+                continue;
+            const int first = floorOf(b.place(enter) - kRounding * b.direction), last = floorOf(b.place(leave) + kRounding * b.direction);
+            const float* low = m_texels + a.low(cell) * columnStride;
+            const float* high = m_texels + a.high(cell) * columnStride;
+            int texel = b.low(std::min(first, last)) * rowStride;
+            float most = std::max(low[texel], high[texel]);
+            for (int row = std::min(first, last); row <= std::max(first, last); ++row) {
+                texel = b.high(row) * rowStride;
+                most = std::max({most, low[texel], high[texel]});
             }
+            const double root = leave > clear - double(most) ? inColumn(cell, begin, end) : kNever;
+            if (root != kNever)
+                return root;
+        }
         return kNever;
     }
 
