@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/assets.h"
 #include "app/window/recent_files.h"
-#include "core/mesh/pictures.h"
+#include "core/image/texture_set.h"
 #include <QFileInfo>
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace relievo {
 struct Assets::Loaded {
     State base; // what it was read on
     Opened opened;
-    Resources resources;
+    Shown shown;
     std::optional<Error> error;
 };
 
@@ -22,9 +22,14 @@ bool hasMap(const Material& material, MapKind kind)
     return kind == MapKind::Height ? material.height.has_value() : material.map(kind) != nullptr;
 }
 
-// A map that `next` names anew but that could not be read.
-std::optional<Error> newMapThatFailed(const State& before, const State& next, const Material& material)
+// A file that `next` names anew but that could not be read.
+std::optional<Error> newFileThatFailed(const State& before, const State& next, const Shown& shown)
 {
+    if (shown.mesh && next.mesh != before.mesh)
+        return shown.mesh->why;
+    if (shown.environment && next.environment != before.environment)
+        return shown.environment->why;
+    const Material& material = *shown.resources.material;
     for (const MapKindRow& row : kMapKinds) {
         const MapSlot& slot = next.slots[std::size_t(row.kind)];
         if (slot.empty() || slot == before.slots[std::size_t(row.kind)] || hasMap(material, row.kind))
@@ -40,31 +45,6 @@ std::optional<Error> newMapThatFailed(const State& before, const State& next, co
 bool cancelled(const Error& error)
 {
     return error.what == "cancelled";
-}
-
-bool isThere(const MapSlot& slot)
-{
-    return slot.file.starts_with("sample:") || pictureMayExist(slot.file);
-}
-
-// The material of slots whose files have all moved: empty, and it says which.
-std::shared_ptr<const Material> movedAway(const MapSlots& slots)
-{
-    Material material;
-    material.slots = slots;
-    for (const MapKindRow& kind : kMapKinds)
-        if (const MapSlot& slot = slots[std::size_t(kind.kind)]; !slot.empty())
-            material.warnings.push_back(
-                {"map-missing", slot.file + ": the " + std::string(kind.label) + " map is not there. Locate or clear it."});
-    return std::make_shared<const Material>(std::move(material));
-}
-
-// Loads for a State that must be shown even when the files of all its maps have moved.
-Expected<Resources> loadWhatIsThere(const State& state, const DecodedImages& images, Resources previous, const Progress& progress)
-{
-    if (state.slots != MapSlots{} && std::ranges::none_of(state.slots, isThere))
-        previous.material = movedAway(state.slots);
-    return loadResources(state, images, previous, progress);
 }
 
 bool isWhole(const QString& source)
@@ -98,11 +78,15 @@ Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObjec
         if (busy || m_jobs.empty())
             return;
         m_jobs.clear(); // cancelled
+        m_refused = true;
         Q_EMIT refused();
+        endChanges();
+        if (!ready()) // never an empty window
+            openDocument("sample:bricks", State{}, false);
     });
 }
 
-Assets::Loaded Assets::open(const std::string& source, const State& base, const Resources& previous, const Progress& progress)
+Assets::Loaded Assets::open(const std::string& source, const State& base, const Shown& previous, const Progress& progress)
 {
     const auto part = [&](float from, float to) {
         return Progress{[&progress, from, to](float share) { progress.at(from + (to - from) * share); }, progress.stop};
@@ -114,11 +98,11 @@ Assets::Loaded Assets::open(const std::string& source, const State& base, const 
         return result;
     }
     result.opened = std::move(*opened);
-    auto resources = loadWhatIsThere(result.opened.state, result.opened.images, previous, part(0.6f, 1.f));
-    if (resources)
-        result.resources = *resources;
+    auto shown = loadWhatIsThere(result.opened.state, result.opened.images, previous, part(0.6f, 1.f));
+    if (shown)
+        result.shown = std::move(*shown);
     else
-        result.error = resources.error();
+        result.error = shown.error();
     return result;
 }
 
@@ -136,12 +120,12 @@ void Assets::openDocument(const QString& source, const State& base, bool counted
 void Assets::openState(const State& state, const Warnings& warnings)
 {
     const auto work = [this, state, warnings, before = m_document.state()](
-                          const State&, const Resources& previous, const Progress& progress) -> Background::Then {
+                          const State&, const Shown& previous, const Progress& progress) -> Background::Then {
         Loaded loaded{state, Opened{state, {}, warnings}, {}, {}};
-        if (const auto resources = loadWhatIsThere(state, {}, previous, progress))
-            loaded.resources = *resources;
+        if (const auto shown = loadWhatIsThere(state, {}, previous, progress))
+            loaded.shown = *shown;
         else
-            loaded.error = resources.error();
+            loaded.error = shown.error();
         return [this, state, before, loaded] { opened({{}, before, state, false}, loaded); };
     };
     enqueue(Job{work, true}, [](const Job& job) { return !job.change; });
@@ -154,32 +138,65 @@ void Assets::openInto(const QString& source)
     enqueue(Opening{source, m_document.state(), {}, true, true}, [](const Job& job) { return !job.change && !job.whole; });
 }
 
-void Assets::propose(const QString& text, std::function<void(State&)> change)
+void Assets::propose(const QString& text, std::function<void(State&)> change, const Look& look)
 {
-    const auto work = [this, text, change](const State& now, const Resources& previous, const Progress& progress) -> Background::Then {
+    const auto work = [this, text, change, look](const State& now, const Shown& previous, const Progress& progress) -> Background::Then {
+        DecodedImages images;
+        Warnings warnings;
+        const auto settled = look ? look(images, warnings) : change;
         State next = now;
-        change(next);
-        const auto resources = loadResources(next, {}, previous, progress);
-        return [this, text, change, next, now, resources] {
-            if (!resources)
-                return refuse(resources.error());
-            if (const auto error = newMapThatFailed(now, next, *resources->material))
+        settled(next);
+        const auto shown = loadWhatIsThere(next, images, previous, progress);
+        return [this, text, settled, next, now, shown, warnings] {
+            if (!shown)
+                return refuse(shown.error());
+            if (const auto error = newFileThatFailed(now, next, *shown))
                 return refuse(*error);
             m_messages.clear("load");
-            take(*resources);
-            m_document.edit(text, change);
+            m_messages.set("assigned", warnings);
+            take(*shown);
+            m_document.edit(text, settled);
         };
     };
     const State now = m_document.state();
     State after = now;
     change(after);
-    enqueue(Job{work, false, text, change}, [&](const Job& job) { // another shape while one is loading, another file for the same map
-        State both = now;
-        if (job.change)
-            job.change(both);
-        change(both);
-        return job.change && both == after;
-    });
+    enqueue(Job{work, false, true, text, change, bool(look)},
+        [&](const Job& job) { // another shape while one is loading, another file for the same map
+            State both = now;
+            if (job.change)
+                job.change(both);
+            change(both);
+            return job.change && both == after;
+        });
+}
+
+void Assets::assign(const QString& text, MapKind kind, const std::string& file)
+{
+    const auto put = [kind](const MapSlot& slot) { return [kind, slot](State& state) { state.slots[std::size_t(kind)] = slot; }; };
+    if (file.empty())
+        return propose(text, put({}));
+    propose(text, put({file}),
+        [put, kind, file](DecodedImages& images, Warnings& warnings) { return put(slotByHand(kind, file, images, warnings)); });
+}
+
+bool Assets::locatesMesh(const QString& file) const
+{
+    return missingMesh() && QFileInfo(file).fileName() == QFileInfo(QString::fromStdString(m_document.state().mesh)).fileName();
+}
+
+void Assets::dropChanges()
+{
+    if (!changesPending())
+        return;
+    while (changesPending())
+        m_jobs.pop_front();
+    m_refused = true;
+    if (m_jobs.empty())
+        m_background.cancel();
+    runNext();
+    Q_EMIT refused();
+    endChanges();
 }
 
 void Assets::enqueue(Job job, const std::function<bool(const Job&)>& pointless)
@@ -193,12 +210,12 @@ void Assets::enqueue(Job job, const std::function<bool(const Job&)>& pointless)
 
 void Assets::enqueue(const Opening& opening, const std::function<bool(const Job&)>& pointless)
 {
-    const auto work = [this, opening](const State& now, const Resources& previous, const Progress& progress) -> Background::Then {
+    const auto work = [this, opening](const State& now, const Shown& previous, const Progress& progress) -> Background::Then {
         const State base = opening.base.value_or(now);
         const Loaded loaded = open(opening.source.toStdString(), base, previous, progress);
         return [this, opening, loaded] { opened(opening, loaded); };
     };
-    enqueue(Job{work, opening.base || isWhole(opening.source)}, pointless);
+    enqueue(Job{work, opening.base || isWhole(opening.source), opening.asStep}, pointless);
 }
 
 // Proposals that need no more files are done at once; the first other job starts.
@@ -207,11 +224,12 @@ void Assets::runNext()
     while (!m_jobs.empty() && m_jobs.front().change) {
         State next = m_document.state();
         m_jobs.front().change(next);
-        if (!holds(next))
+        if (!holds(next) || m_jobs.front().looks)
             break;
         const Job job = std::move(m_jobs.front());
         m_jobs.pop_front();
         m_messages.clear("load");
+        m_messages.clear("assigned");
         m_document.edit(job.text, job.change);
     }
     if (m_jobs.empty())
@@ -219,7 +237,7 @@ void Assets::runNext()
     if (m_background.busy())
         m_followed.reset(); // is followed again after this
     m_background.start(
-        [this, work = m_jobs.front().work, now = m_document.state(), previous = m_resources](const Progress& progress) -> Background::Then {
+        [this, work = m_jobs.front().work, now = m_document.state(), previous = m_shown](const Progress& progress) -> Background::Then {
             return [this, then = work(now, previous, progress)] {
                 then();
                 jobEnded();
@@ -232,6 +250,13 @@ void Assets::jobEnded()
     if (!m_jobs.empty())
         m_jobs.pop_front();
     runNext();
+    endChanges();
+}
+
+void Assets::endChanges()
+{
+    if (!changesPending())
+        Q_EMIT changesEnded(!std::exchange(m_refused, false));
 }
 
 void Assets::opened(const Opening& opening, const Loaded& loaded)
@@ -256,8 +281,9 @@ void Assets::show(const Opening& opening, const Loaded& loaded, bool edited)
     m_messages.clear("load");
     if (opening.instead)
         m_messages.set("load", *opening.instead);
+    m_messages.clear("assigned");
     m_messages.set("opened", loaded.opened.warnings);
-    take(loaded.resources);
+    take(loaded.shown);
     const State& next = loaded.opened.state;
     State present = m_document.state();
     takeMaps(present, loaded.base, next, builtIn);
@@ -272,11 +298,12 @@ void Assets::show(const Opening& opening, const Loaded& loaded, bool edited)
     check();
 }
 
-void Assets::take(const Resources& resources)
+void Assets::take(const Shown& shown)
 {
-    m_resources = resources;
-    m_messages.set("maps", resources.material->warnings);
-    m_messages.set("mesh", resources.mesh->warnings);
+    m_shown = shown;
+    m_messages.set("missing", warningsOf(shown));
+    m_messages.set("maps", resources().material->warnings);
+    m_messages.set("mesh", resources().mesh->warnings);
     Q_EMIT resourcesChanged();
 }
 
@@ -311,12 +338,12 @@ void Assets::check()
     if (m_followed == needsOf(now))
         return;
     m_followed = needsOf(now);
-    m_background.start([this, now, previous = m_resources](const Progress& progress) -> Background::Then {
-        const auto resources = loadWhatIsThere(now, {}, previous, progress);
-        return [this, resources] {
-            if (!resources)
-                return m_messages.set("follow", resources.error());
-            take(*resources);
+    m_background.start([this, now, previous = m_shown](const Progress& progress) -> Background::Then {
+        const auto shown = loadWhatIsThere(now, {}, previous, progress);
+        return [this, shown] {
+            if (!shown)
+                return m_messages.set("follow", shown.error());
+            take(*shown);
             check();
         };
     });
@@ -326,18 +353,19 @@ void Assets::refuse(const Error& error)
 {
     if (!cancelled(error))
         m_messages.set("load", error);
+    m_refused = true;
     Q_EMIT refused();
 }
 
 bool Assets::holds(const State& state) const
 {
-    return ready() && m_resources.material->slots == state.slots && m_resources.meshName == state.mesh
-        && m_resources.environmentName == state.environment;
+    return ready() && resources().material->slots == state.slots && resources().meshName == state.mesh
+        && resources().environmentName == state.environment && !isBack(m_shown);
 }
 
 bool Assets::fits(const State& state) const
 {
-    return holds(state) && boundsFit(state, m_resources);
+    return holds(state) && boundsFit(state, resources());
 }
 
 } // namespace relievo

@@ -12,6 +12,12 @@ bool inScope(std::size_t pane, Scope scope)
     return scope == Scope::Both || pane == (scope == Scope::A ? 0u : 1u);
 }
 
+// Pictures side by side are compared by one range of their heat maps.
+bool isShared(const ParameterRow& row)
+{
+    return row.key == "fetchRange" || row.key == "errorRange";
+}
+
 bool holdsIn(const State& state, std::size_t index, const ParameterRow& row);
 
 // One word of ParameterRow::shown holds in pane `index`; a condition on a hidden parameter does not hold.
@@ -63,8 +69,8 @@ bool isOverridden(const State& state, const ParameterRow& row, Scope scope)
 
 void assign(State& state, const ParameterRow& row, const Value& value, Scope scope)
 {
-    if (scope == Scope::Both) {
-        clearOverride(state, row, scope);
+    if (scope == Scope::Both || isShared(row)) {
+        clearOverride(state, row, Scope::Both);
         return set(state.parameters, row, value);
     }
     for (std::size_t i = 0; i < state.panes.size(); ++i)
@@ -81,8 +87,8 @@ void clearOverride(State& state, const ParameterRow& row, Scope scope)
 
 void reset(State& state, const ParameterRow& row, Scope scope)
 {
-    if (scope == Scope::Both)
-        assign(state, row, get(Parameters{}, row), scope);
+    if (scope == Scope::Both || isShared(row))
+        assign(state, row, get(Parameters{}, row), Scope::Both);
     else
         clearOverride(state, row, scope);
 }

@@ -13,7 +13,8 @@ enum class Scope { Both, A, B };
 Value shownValue(const State& state, const ParameterRow& row, Scope scope);
 bool isOverridden(const State& state, const ParameterRow& row, Scope scope); // Both: in any pane
 
-// Sets it for both panes (their own values of it go) or for one.
+// Sets it for both panes (their own values of it go) or for one. The ranges of heat maps are always set for both, so that what
+// stands side by side can be compared; only files and the command line give panes ranges of their own.
 void assign(State& state, const ParameterRow& row, const Value& value, Scope scope);
 void clearOverride(State& state, const ParameterRow& row, Scope scope); // Both: in all panes
 

@@ -188,6 +188,9 @@ void ExportDialog::run()
         return;
     if (!m_assets.ready() || !m_assets.upToDate())
         return tell(failure(m_document.name().toStdString(), "its files are not loaded", "Wait until they are, or clear what is missing"));
+    if (m_assets.missingMesh()) // what would be written is as deep as the mesh is large
+        return tell(failure(m_document.state().mesh, "this mesh is not there, and its size decides the depth in metres",
+            "Put it back, or choose another one"));
     const QString out = m_out->text().trimmed();
     if (out.isEmpty())
         return tell(failure(tr("Where to").toStdString(), "no file is named", "Name one"));

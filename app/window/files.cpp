@@ -28,15 +28,21 @@ Files::Files(Document& document, Assets& assets, Messages& messages, QWidget* wi
 void Files::guard(std::function<void()> then, const QString& alsoLost)
 {
     commitTyping(m_window);
-    if (!m_document.isModified() && alsoLost.isEmpty())
+    if (!unsaved() && alsoLost.isEmpty())
         return then();
-    const QString unsaved = m_document.isModified() ? m_document.name() : QString();
-    askAboutUnsaved(m_window, unsaved, alsoLost, [this, then](Answer answer) {
+    askAboutUnsaved(m_window, unsaved() ? m_document.name() : QString(), alsoLost, [this, then](Answer answer) {
         if (answer == Answer::Save)
-            save(then);
-        else if (answer == Answer::Discard)
-            then();
+            return save(then);
+        if (answer == Answer::Cancel)
+            return;
+        m_assets.dropChanges();
+        then();
     });
+}
+
+bool Files::unsaved() const
+{
+    return m_document.isModified() || m_assets.changesPending();
 }
 
 void Files::startNew()
@@ -77,6 +83,12 @@ void Files::saveAs(std::function<void()> then)
 
 void Files::saveTo(const QString& file, const std::function<void()>& then)
 {
+    if (m_assets.changesPending()) { // what was asked for before belongs to what is saved
+        connect(
+            &m_assets, &Assets::changesEnded, this, [this, file, then](bool all) { saveTo(file, all ? then : nullptr); },
+            Qt::SingleShotConnection);
+        return;
+    }
     if (const auto saved = m_document.save(file); !saved)
         return m_messages.set("save", saved.error());
     m_messages.clear("save");
@@ -88,7 +100,11 @@ void Files::saveTo(const QString& file, const std::function<void()>& then)
 void Files::take(const QString& dropped)
 {
     if (isMeshFile(dropped.toStdString()))
-        m_assets.propose(tr("Mesh"), [dropped](State& state) { state.mesh = dropped.toStdString(), state.part.clear(); });
+        m_assets.propose(tr("Mesh"), [dropped, located = m_assets.locatesMesh(dropped)](State& state) {
+            state.mesh = dropped.toStdString();
+            if (!located)
+                state.part.clear();
+        });
     else if (isProjectFile(dropped.toStdString()))
         open(dropped);
     else if (fits(FileKind::Preset, dropped))

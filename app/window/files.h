@@ -15,6 +15,7 @@ class Files : public QObject {
 public:
     Files(Document& document, Assets& assets, Messages& messages, QWidget* window);
 
+    bool unsaved() const; // also when what was dropped or chosen is still loading
     // `then` runs at once when nothing is unsaved, else after the question, unless it is cancelled or saving fails.
     // alsoLost: a sentence on other work that `then` ends; it is asked about too.
     void guard(std::function<void()> then, const QString& alsoLost = {});
@@ -23,7 +24,8 @@ public:
     void ask(); // for a project or image, then opens it
     void askFolder();
     void open(const QString& source); // a new document, after the question
-    void save(std::function<void()> then = {}); // asks where to when the document has no file yet
+    // Asks where to when the document has no file yet, and waits for what is still loading; `then` does not run when that fails.
+    void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
     // A mesh replaces the mesh, a project the document, an image or folder the maps, a preset the numbers.
     void take(const QString& dropped);

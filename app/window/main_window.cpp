@@ -165,11 +165,7 @@ Handlers MainWindow::handlers()
                 saveLook(on ? Look::Light : Look::Dark);
                 applyLook(*qApp, savedLook());
             }},
-        {"panels",
-            [this](bool on) {
-                m_maps->setVisible(on);
-                m_parameters->setVisible(on);
-            }},
+        {"panels", [this](bool on) { showPanels(on); }},
         {"shortcuts", [this](bool) { showShortcuts(this); }},
         {"about", [this](bool) { showAbout(this); }},
     };
@@ -227,6 +223,13 @@ void MainWindow::setView(std::string_view key)
     m_document.edit(tr("View %1").arg(qt(findView(key)->label)), [&](State& state) { state.view = key; });
 }
 
+void MainWindow::showPanels(bool on)
+{
+    m_actions["panels"]->setChecked(on);
+    m_maps->setVisible(on);
+    m_parameters->setVisible(on);
+}
+
 void MainWindow::showExport()
 {
     commitTyping(this);
@@ -240,7 +243,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 {
     commitTyping(this);
     const bool exporting = m_export && m_export->busy();
-    if (!m_closing && (m_document.isModified() || exporting)) {
+    if (!m_closing && (m_files->unsaved() || exporting)) {
         event->ignore();
         const auto end = [this] {
             m_closing = true;
@@ -250,6 +253,13 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     saveLayout();
     event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::ActivationChange && isActiveWindow())
+        m_assets.lookAgain();
+    QMainWindow::changeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
@@ -272,7 +282,7 @@ void MainWindow::restoreLayout()
     restoreGeometry(settings.value("window/geometry").toByteArray());
     if (!m_splitter->restoreState(settings.value("window/splitter").toByteArray()))
         m_splitter->setSizes({kMapWidth, width() - kMapWidth - kParameterWidth, kParameterWidth});
-    m_actions["panels"]->setChecked(true);
+    showPanels(settings.value("window/panels", true).toBool());
     m_actions["light-theme"]->setChecked(savedLook() == Look::Light);
 }
 
@@ -281,6 +291,7 @@ void MainWindow::saveLayout() const
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/splitter", m_splitter->saveState());
+    settings.setValue("window/panels", m_actions["panels"]->isChecked());
 }
 
 } // namespace relievo

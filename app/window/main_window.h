@@ -43,6 +43,7 @@ public:
 
 protected:
     void closeEvent(QCloseEvent*) override;
+    void changeEvent(QEvent*) override;
     void dragEnterEvent(QDragEnterEvent*) override;
     void dropEvent(QDropEvent*) override;
 
@@ -54,6 +55,7 @@ private:
     void connectAll();
     void documentChanged(Changes what);
     void updateTitle();
+    void showPanels(bool on);
     void showExport();
     void copyPicture();
     void copyCamera();

@@ -7,7 +7,6 @@
 #include "app/window/map_row.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
-#include "core/image/samples.h"
 #include "core/mesh/pictures.h"
 #include <QComboBox>
 #include <QDir>
@@ -37,6 +36,14 @@ ElidedLabel* factsLabel()
     label->setFont(smallFont());
     label->setProperty("role", "dim");
     return label;
+}
+
+void showFile(ElidedLabel& label, const std::string& file, bool missing, const char* role)
+{
+    const QString path = QString::fromStdString(file), name = QFileInfo(path).fileName();
+    setRole(label, missing ? "warning" : role);
+    label.setFullText(missing ? QObject::tr("missing: %1").arg(name) : name);
+    label.setToolTip(path);
 }
 
 QString meshFacts(const Mesh& mesh)
@@ -131,6 +138,7 @@ void MapPanel::addMesh(Section& section)
     facts->setSpacing(0);
     facts->addWidget(m_meshName = factsLabel());
     facts->addWidget(m_meshFacts = factsLabel());
+    m_meshName->setObjectName("mesh-name");
     line->addLayout(facts, 1);
     line->addWidget(open, 0, Qt::AlignTop);
     section.body()->addLayout(line);
@@ -146,6 +154,7 @@ void MapPanel::addEnvironment(Section& section)
     section.installEventFilter(this);
     auto* line = new QHBoxLayout;
     m_environmentName = new ElidedLabel;
+    m_environmentName->setObjectName("environment-name");
     auto* open = lineButton("open", tr("Open a panorama: HDR or EXR"));
     m_studio = lineButton("reset", tr("Back to the built-in studio"));
     line->addWidget(m_environmentName, 1);
@@ -160,37 +169,41 @@ void MapPanel::addEnvironment(Section& section)
 void MapPanel::assign(MapKind kind, const QString& file)
 {
     const QString name = qt(row(kind).label);
-    const QString path = file.isEmpty() ? QString() : QFileInfo(file).absoluteFilePath();
-    m_assets.propose(path.isEmpty() ? tr("Clear %1").arg(name) : tr("Assign %1").arg(name), [kind, path](State& state) {
-        MapSlot slot;
-        slot.file = path.toStdString();
-        const QString stem = QFileInfo(path).completeBaseName().toLower();
-        slot.invert = (kind == MapKind::Height && stem.endsWith("depth"))
-            || (kind == MapKind::Normal && (stem.endsWith("dx") || stem.endsWith("directx")));
-        state.slots[std::size_t(kind)] = slot;
-    });
+    const std::string path = file.isEmpty() ? std::string() : QFileInfo(file).absoluteFilePath().toStdString();
+    m_assets.assign(path.empty() ? tr("Clear %1").arg(name) : tr("Assign %1").arg(name), kind, path);
 }
 
-void MapPanel::locate(MapKind kind, const QString& file)
+std::function<void(State&)> MapPanel::locateOthers(const QString& file) const
 {
-    const QDir folder = QFileInfo(file).absoluteDir();
     QVector<std::size_t> lost;
     for (const MapRow* line : m_rows)
         if (line->isMissing())
             lost.append(std::size_t(line->kind().kind));
-    m_assets.propose(tr("Locate maps"), [kind, file, folder, lost](State& state) {
+    return [lost, folder = QFileInfo(file).absoluteDir()](State& state) {
         for (std::size_t i : lost) {
             const QString beside = folder.filePath(QFileInfo(QString::fromStdString(state.slots[i].file)).fileName());
             if (pictureMayExist(beside.toStdString()))
                 state.slots[i].file = beside.toStdString();
         }
+    };
+}
+
+void MapPanel::locate(MapKind kind, const QString& file)
+{
+    m_assets.propose(tr("Locate maps"), [kind, file, others = locateOthers(file)](State& state) {
+        others(state);
         state.slots[std::size_t(kind)].file = QFileInfo(file).absoluteFilePath().toStdString();
     });
 }
 
 void MapPanel::setMesh(const QString& nameOrFile)
 {
-    m_assets.propose(tr("Mesh"), [nameOrFile](State& state) { state.mesh = nameOrFile.toStdString(), state.part.clear(); });
+    if (!m_assets.locatesMesh(nameOrFile))
+        return m_assets.propose(tr("Mesh"), [nameOrFile](State& state) { state.mesh = nameOrFile.toStdString(), state.part.clear(); });
+    m_assets.propose(tr("Locate mesh"), [nameOrFile, others = locateOthers(nameOrFile)](State& state) {
+        others(state);
+        state.mesh = nameOrFile.toStdString(); // the part stays
+    });
 }
 
 // "" for all parts.
@@ -236,13 +249,14 @@ void MapPanel::refresh()
         line->show(state.slots[std::size_t(line->kind().kind)], loaded.material.get());
     const auto shape = std::find(kShapes.begin(), kShapes.end(), state.mesh);
     m_shapes->setCurrent(shape == kShapes.end() ? -1 : int(shape - kShapes.begin()));
-    m_meshFacts->setFullText(loaded.mesh ? meshFacts(*loaded.mesh) : QString());
-    m_meshName->setFullText(QFileInfo(QString::fromStdString(state.mesh)).fileName());
-    m_meshName->setToolTip(QString::fromStdString(state.mesh));
+    const bool noMesh = m_assets.missingMesh() && loaded.meshName == state.mesh;
+    showFile(*m_meshName, state.mesh, noMesh, "dim");
     m_meshName->setVisible(shape == kShapes.end());
-    showParts(state, loaded.mesh.get());
+    m_meshFacts->setFullText(noMesh ? tr("a plane stands in") : loaded.mesh ? meshFacts(*loaded.mesh) : QString());
+    showParts(state, noMesh ? nullptr : loaded.mesh.get());
     const bool studio = state.environment == "studio";
-    m_environmentName->setFullText(studio ? tr("Studio") : QFileInfo(QString::fromStdString(state.environment)).fileName());
+    showFile(*m_environmentName, studio ? tr("Studio").toStdString() : state.environment,
+        m_assets.missingEnvironment() && loaded.environmentName == state.environment, "");
     m_studio->setVisible(!studio);
 }
 

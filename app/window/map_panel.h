@@ -33,6 +33,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    std::function<void(State&)> locateOthers(const QString& file) const; // missing maps that lie beside `file`
     void addMaps(Section& section);
     void addMesh(Section& section);
     void addEnvironment(Section& section);

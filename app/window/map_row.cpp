@@ -69,7 +69,7 @@ MapRow::MapRow(const MapKindRow& kind, QWidget* parent)
     m_facts->setFont(smallFont());
     m_facts->setProperty("role", "dim");
     m_channel->setFont(smallFont());
-    m_channel->setFixedWidth(kind.channels == 1 ? 62 : 56);
+    m_channel->setFixedWidth(kind.channels == 1 ? 68 : 56);
     m_channel->setToolTip(tr("Channel of the file that is read"));
     for (std::size_t i = 0; i < kChannelKeys.size(); ++i)
         m_channel->addItem(channelLabel(Channel(i), kind.channels));

@@ -34,6 +34,7 @@ class HeatLegend : public QWidget {
 public:
     explicit HeatLegend(QWidget* parent);
     void show(const QString& title, const QString& unit, double max);
+    double max() const { return m_max; } // at the bright end
     QSize sizeHint() const override { return {268, 60}; }
 
 protected:

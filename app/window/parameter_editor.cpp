@@ -2,17 +2,16 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/parameter_editor.h"
+#include "app/window/color_dialog.h"
 #include "app/window/controls.h"
 #include "app/window/number_field.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
-#include <QColorDialog>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QSignalBlocker>
 #include <cmath>
 
 namespace relievo {
@@ -173,19 +172,22 @@ void ParameterEditor::addColor(QHBoxLayout* layout)
     auto* swatch = new Swatch(this);
     swatch->setAccessibleName(qt(m_row.label));
     layout->addWidget(swatch, 1);
-    m_show = [swatch](const Value& value) { swatch->setColor(toDisplay(std::get<glm::vec3>(value))); };
-    connect(swatch, &Swatch::clicked, this, [this, swatch] {
-        auto* dialog = new QColorDialog(toDisplay(std::get<glm::vec3>(m_value)), this);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setOptions(QColorDialog::NoButtons | QColorDialog::DontUseNativeDialog);
+    m_show = [this, swatch](const Value& value) {
+        const QColor color = toDisplay(std::get<glm::vec3>(value));
+        swatch->setColor(color);
+        if (auto* dialog = findChild<ColorDialog*>())
+            dialog->show(color);
+    };
+    connect(swatch, &Swatch::clicked, this, [this] {
+        if (auto* open = findChild<ColorDialog*>())
+            return open->raise();
+        auto* dialog = new ColorDialog(toDisplay(std::get<glm::vec3>(m_value)), this);
         dialog->setWindowTitle(m_label->text());
-        Q_EMIT pressed();
-        connect(dialog, &QColorDialog::currentColorChanged, this, [this, swatch](const QColor& color) {
-            swatch->setColor(color);
-            change(toLinear(color));
-        });
-        connect(dialog, &QDialog::finished, this, &ParameterEditor::released);
-        dialog->show();
+        connect(dialog, &ColorDialog::pressed, this, &ParameterEditor::pressed);
+        connect(dialog, &ColorDialog::released, this, &ParameterEditor::released);
+        connect(dialog, &ColorDialog::chosen, this, [this](const QColor& color) { change(toLinear(color)); });
+        dialog->move(window()->mapToGlobal(QPoint(0, 2 * kRowHeight))); // over the maps: the picture shows what is chosen
+        dialog->QWidget::show();
     });
 }
 

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/recovery.h"
-#include "core/state/state_json.h"
 #include <QAbstractButton>
 #include <QCoreApplication>
 #include <QDateTime>
@@ -62,54 +61,49 @@ void Recovery::write()
         (void)writeState(m_document.state(), m_file.toStdString());
 }
 
-QString leftBehind(const QString& folder)
+std::optional<LeftBehind> leftBehind(const QString& folder)
 {
-    for (const QFileInfo& copy : QDir(folder).entryInfoList({"*.relievo"}, QDir::Files, QDir::Time))
-        if (!runs(copy.completeBaseName()))
-            return copy.filePath();
+    for (const QFileInfo& copy : QDir(folder).entryInfoList({"*.relievo"}, QDir::Files, QDir::Time)) {
+        if (runs(copy.completeBaseName()))
+            continue;
+        if (auto read = readState(State{}, copy.filePath().toStdString()))
+            return LeftBehind{copy.filePath(), std::move(*read)};
+    }
     return {};
 }
 
-void restore(MainWindow& window, const QString& copy)
+void restore(MainWindow& window, const LeftBehind& copy)
 {
-    const auto read = readState(State{}, copy.toStdString());
-    if (!read) {
-        QFile::remove(copy); // it was cut off by the crash itself
-        return;
-    }
     Document* document = &window.document();
     QObject::connect(
         document, &Document::started, document,
-        [document, copy, wanted = read->state] {
+        [document, file = copy.file, wanted = copy.read.state] {
             if (document->state() != wanted)
                 return; // it could not be opened, and something else was: the copy waits for the next start
             document->undoStack().resetClean(); // unsaved: it asks before it is lost again
-            QFile::remove(copy);
+            QFile::remove(file);
         },
         Qt::SingleShotConnection);
-    window.assets().openState(read->state, read->warnings);
+    window.assets().openState(copy.read.state, copy.read.warnings);
 }
 
 void offerLeftBehind(MainWindow& window)
 {
-    const QString copy = leftBehind();
-    const auto read = copy.isEmpty() ? Expected<StateRead>(StateRead()) : readState(State{}, copy.toStdString());
-    if (copy.isEmpty() || !read) {
-        QFile::remove(copy);
+    const std::optional<LeftBehind> copy = leftBehind();
+    if (!copy)
         return;
-    }
-    const QString when = QLocale().toString(QFileInfo(copy).lastModified(), QLocale::ShortFormat);
+    const QString when = QLocale().toString(QFileInfo(copy->file).lastModified(), QLocale::ShortFormat);
     auto* question = new QMessageBox(QMessageBox::NoIcon, QObject::tr("Unsaved work"),
-        QObject::tr("Relievo ended before \"%1\" was saved (%2).").arg(QString::fromStdString(read->state.name), when),
+        QObject::tr("Relievo ended before \"%1\" was saved (%2).").arg(QString::fromStdString(copy->read.state.name), when),
         QMessageBox::NoButton, &window);
     question->setAttribute(Qt::WA_DeleteOnClose);
     QAbstractButton* restored = question->addButton(QObject::tr("Restore"), QMessageBox::AcceptRole);
     QAbstractButton* discarded = question->addButton(QObject::tr("Discard"), QMessageBox::DestructiveRole);
-    QObject::connect(question, &QMessageBox::buttonClicked, &window, [&window, copy, restored, discarded](QAbstractButton* button) {
+    QObject::connect(question, &QMessageBox::buttonClicked, &window, [&window, copy = *copy, restored, discarded](QAbstractButton* button) {
         if (button == restored)
             restore(window, copy);
         else if (button == discarded)
-            QFile::remove(copy);
+            QFile::remove(copy.file);
     });
     question->open();
 }

@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "app/window/main_window.h"
+#include "core/state/state_json.h"
 #include <QTimer>
+#include <optional>
 
 namespace relievo {
 
@@ -25,11 +27,15 @@ private:
     QTimer m_wait;
 };
 
-// The newest copy whose program runs no more; "" for none.
-QString leftBehind(const QString& folder = recoveryFolder());
+// The newest copy whose program runs no more and that can be read; others (of a newer version) stay where they are.
+struct LeftBehind {
+    QString file;
+    StateRead read;
+};
+std::optional<LeftBehind> leftBehind(const QString& folder = recoveryFolder());
 
-// Opens a copy as untitled, unsaved work and removes it.
-void restore(MainWindow& window, const QString& copy);
+// Opens a copy as untitled, unsaved work and removes it; one that cannot be opened stays.
+void restore(MainWindow& window, const LeftBehind& copy);
 
 // Asks whether what was left behind shall be opened or discarded; closing the question keeps it for the next start.
 void offerLeftBehind(MainWindow& window);

@@ -4,10 +4,6 @@
 #include "app/window/viewport.h"
 #include "app/window/gl_calls.h"
 #include "app/window/overlays.h"
-#include "app/window/text.h"
-#include "app/window/theme.h"
-#include "core/state/techniques.h"
-#include "core/state/views.h"
 #include "render/windowless.h"
 #include <QPainter>
 #include <QScopeGuard>
@@ -20,7 +16,6 @@ constexpr int kRestDelay = 100; // ms without a move until the full picture
 constexpr int kMeasureDelay = 60; // ms from the full picture to the counting of fetches
 constexpr int kSmoothLimit = 400; // ms that one more picture may keep the hand waiting
 constexpr int kGap = 2; // pixels between two panes
-constexpr int kMargin = 12; // px from the picture's edge to what lies over it
 
 int scaled(int pixels, double scale)
 {
@@ -34,7 +29,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     , m_assets(assets)
     , m_messages(messages)
     , m_reference(new MeshReference(document, assets, messages, this)) // hears of changes before the picture does
-    , m_legend(new HeatLegend(this))
+    , m_legends{new HeatLegend(this), new HeatLegend(this)}
     , m_hint(new Hint(this))
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -256,44 +251,6 @@ QImage Viewport::picture()
         painter.drawImage(size.x, 0, part);
     }
     return sheet;
-}
-
-void Viewport::setActivePane(int pane)
-{
-    pane = std::clamp(pane, 0, paneCount() - 1);
-    if (pane == m_activePane)
-        return;
-    m_activePane = pane;
-    updateOverlays();
-    Q_EMIT activePaneChanged(pane);
-}
-
-void Viewport::placeOverlays()
-{
-    for (int pane = 0; pane < 2; ++pane) {
-        const int left = pane < paneCount() ? int(area(pane).x / devicePixelRatioF()) : 0;
-        m_captions[std::size_t(pane)]->move(left + kMargin, kMargin);
-    }
-    m_legend->move(kMargin, height() - kMargin - m_legend->height());
-    m_hint->move((width() - m_hint->width()) / 2, height() - kMargin - m_hint->height());
-}
-
-void Viewport::updateOverlays()
-{
-    const State& state = m_document.state();
-    for (int pane = 0; pane < 2; ++pane) {
-        PaneCaption* caption = m_captions[std::size_t(pane)];
-        caption->setVisible(pane < paneCount());
-        if (pane >= paneCount())
-            continue;
-        const auto& measured = m_measured[std::size_t(pane)];
-        const QString cost = measured ? tr("%1 fetches/px").arg(measured->meanFetches, 0, 'f', 1) : QString();
-        caption->show(paneCount() == 1 ? "" : pane == 0 ? "A" : "B", techniqueText(state, std::size_t(pane)), cost, pane == m_activePane);
-    }
-    const ViewRow* view = findView(state.view);
-    m_legend->setVisible(view && view->isHeat);
-    if (view && view->isHeat)
-        m_legend->show(qt(view->label), qt(view->unit), double(heatRange(effectiveParameters(state, 0), state.view)));
 }
 
 } // namespace relievo

@@ -103,7 +103,7 @@ private:
     QElapsedTimer m_flyClock;
 
     std::array<PaneCaption*, 2> m_captions{};
-    HeatLegend* m_legend;
+    std::array<HeatLegend*, 2> m_legends; // of the panes; the first one alone when they show one range
     Hint* m_hint;
 };
 

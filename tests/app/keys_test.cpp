@@ -108,7 +108,6 @@ TEST_F(KeysTest, ManyMessagesAreScrolled)
     EXPECT_LT(window.messageLine().height(), 300);
     EXPECT_EQ(window.height(), before);
     window.messages().set("test", Warnings{{"a", "One."}});
-    QTest::qWait(50);
-    EXPECT_LT(window.messageLine().height(), 90) << "no higher than what there is";
+    EXPECT_TRUE(waitFor([&] { return window.messageLine().height() < 90; }, 5000)) << "no higher than what there is";
     window.messages().clear("test");
 }

@@ -11,6 +11,7 @@
 #include <QProcess>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 using namespace relievo;
 
@@ -205,6 +206,56 @@ TEST_F(LoadingTest, AFirstSourceThatFailsLeavesTheBricks)
     EXPECT_FALSE(other.document().isModified());
 }
 
+TEST_F(LoadingTest, AFirstStateThatFailsLeavesTheBricks)
+{
+    QFile broken(file("broken.png"));
+    ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+    broken.write("nothing of use");
+    broken.close();
+    State given;
+    given.slots[std::size_t(MapKind::Height)].file = file("broken.png").toStdString();
+    MainWindow other;
+    other.show();
+    other.assets().openState(given, {});
+    ASSERT_TRUE(waitFor([&] { return other.assets().ready() && !other.assets().background().busy(); }));
+    EXPECT_TRUE(other.messageLine().text().contains("broken.png")) << other.messageLine().text().toStdString();
+    EXPECT_EQ(other.document().state().name, "Bricks");
+    EXPECT_FALSE(other.document().isModified());
+}
+
+TEST_F(LoadingTest, CancellingTheFirstLoadLeavesTheBricks)
+{
+    MainWindow other;
+    other.show();
+    other.assets().openDocument("sample:terrain@4096", State{});
+    other.assets().background().cancel();
+    ASSERT_TRUE(waitFor([&] { return other.assets().ready() && !other.assets().background().busy(); }));
+    EXPECT_EQ(other.document().state().name, "Bricks");
+    EXPECT_FALSE(other.document().isModified());
+    EXPECT_TRUE(other.messages().all().isEmpty());
+    EXPECT_TRUE(waitFor([&] { return other.viewport().isFull(); }));
+}
+
+TEST_F(LoadingTest, ANormalMapGivenByHandIsRecognisedByItsPixels)
+{
+    QImage image(64, 64, QImage::Format_RGB888); // of sin(x) sin(y), DirectX style
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const double u = x * 0.2, v = y * 0.2;
+            const auto byte = [](double n) { return int(std::lround(127.5 + 100. * n)); };
+            image.setPixel(x, y, qRgb(byte(-0.6 * std::cos(u) * std::sin(v)), byte(-0.6 * std::sin(u) * std::cos(v)), 220));
+        }
+    ASSERT_TRUE(image.save(file("bumps.png")));
+    drop(mapRow("normal"), file("bumps.png"));
+    settle();
+    EXPECT_TRUE(state().slots[std::size_t(MapKind::Normal)].invert);
+    EXPECT_TRUE(says("DirectX")) << window.messageLine().text().toStdString();
+    EXPECT_EQ(steps(), 1);
+    window.maps().assign(MapKind::Normal, {});
+    settle();
+    EXPECT_FALSE(says("DirectX"));
+}
+
 TEST_F(LoadingTest, AWarningForOnePaneDoesNotKeepTheOtherFromBeingCompared)
 {
     window.maps().setMesh("torus");
@@ -258,4 +309,18 @@ TEST(Editor, WithoutOpenGLItSaysSo)
     EXPECT_EQ(editor.exitStatus(), QProcess::NormalExit);
     EXPECT_EQ(editor.exitCode(), 1);
     EXPECT_TRUE(editor.readAllStandardError().contains("OpenGL"));
+}
+
+TEST(Editor, AStateThatCannotBeReadIsToldAndEndsIt)
+{
+    QTemporaryDir folder;
+    QFile state(folder.filePath("state.json"));
+    ASSERT_TRUE(state.open(QIODevice::WriteOnly));
+    state.write("{\"relievo\":1,");
+    state.close();
+    QProcess editor;
+    editor.start(RELIEVO_BIN "/relievo-editor", {"--state-json", state.fileName()});
+    ASSERT_TRUE(editor.waitForFinished(20000));
+    EXPECT_EQ(editor.exitCode(), 1);
+    EXPECT_TRUE(editor.readAllStandardError().contains("state.json"));
 }

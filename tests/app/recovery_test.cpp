@@ -7,7 +7,23 @@
 
 namespace relievo {
 
-class RecoveryTest : public WindowTest { };
+class RecoveryTest : public WindowTest {
+protected:
+    // What a process that no longer runs has left.
+    QString leave(const State& lost, const char* name = "unsaved/999999999.relievo") // no process has this number
+    {
+        EXPECT_TRUE(QDir().mkpath(file("unsaved")));
+        EXPECT_TRUE(writeState(lost, file(name).toStdString()));
+        return file(name);
+    }
+    State lost()
+    {
+        State lost = state();
+        lost.name = "Lost";
+        lost.parameters.depth = 0.27f;
+        return lost;
+    }
+};
 
 TEST_F(RecoveryTest, ACopyIsKeptWhileTheDocumentIsModified)
 {
@@ -20,7 +36,7 @@ TEST_F(RecoveryTest, ACopyIsKeptWhileTheDocumentIsModified)
         const auto read = readState(State{}, copy.toStdString());
         ASSERT_TRUE(read);
         EXPECT_FLOAT_EQ(read->state.parameters.depth, 0.33f);
-        EXPECT_EQ(leftBehind(file("unsaved")), QString()); // this program runs
+        EXPECT_FALSE(leftBehind(file("unsaved"))); // this program runs
         ASSERT_TRUE(window.document().save(file("a.relievo")));
         EXPECT_FALSE(QFile::exists(copy));
         window.document().edit("Depth", [](State& s) { s.parameters.depth = 0.4f; });
@@ -31,19 +47,50 @@ TEST_F(RecoveryTest, ACopyIsKeptWhileTheDocumentIsModified)
 
 TEST_F(RecoveryTest, WhatWasLeftBehindOpensAsUnsavedWork)
 {
-    ASSERT_TRUE(QDir().mkpath(file("unsaved")));
-    const QString copy = file("unsaved/999999999.relievo"); // no process has this number
-    State lost = state();
-    lost.name = "Lost";
-    lost.parameters.depth = 0.27f;
-    ASSERT_TRUE(writeState(lost, copy.toStdString()));
-    EXPECT_EQ(leftBehind(file("unsaved")), copy);
-    restore(window, copy);
+    const QString copy = leave(lost());
+    const auto found = leftBehind(file("unsaved"));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->file, copy);
+    restore(window, *found);
     settle();
     EXPECT_FLOAT_EQ(state().parameters.depth, 0.27f);
     EXPECT_TRUE(window.document().isModified());
     EXPECT_TRUE(window.document().file().isEmpty());
     EXPECT_FALSE(QFile::exists(copy));
+}
+
+TEST_F(RecoveryTest, ACopyThatCannotBeOpenedStays)
+{
+    QFile broken(file("broken.png"));
+    ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+    broken.write("nothing of use");
+    broken.close();
+    State unreadable = lost();
+    unreadable.slots = {};
+    unreadable.slots[std::size_t(MapKind::Height)].file = file("broken.png").toStdString();
+    const QString copy = leave(unreadable);
+    const State before = state();
+    restore(window, *leftBehind(file("unsaved")));
+    settle();
+    EXPECT_EQ(state(), before);
+    EXPECT_FALSE(window.messages().all().isEmpty());
+    window.assets().openDocument("sample:terrain@64", State{});
+    settle();
+    EXPECT_TRUE(QFile::exists(copy)) << "something else was opened";
+    EXPECT_FALSE(window.document().isModified());
+}
+
+TEST_F(RecoveryTest, ACopyThatCannotBeReadStaysAndHidesNoOther)
+{
+    const QString copy = leave(lost());
+    QFile newer(file("unsaved/999999998.relievo"));
+    ASSERT_TRUE(newer.open(QIODevice::WriteOnly));
+    newer.write("{\"relievo\":1000}");
+    newer.close();
+    const auto found = leftBehind(file("unsaved"));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->file, copy);
+    EXPECT_TRUE(newer.exists());
 }
 
 } // namespace relievo

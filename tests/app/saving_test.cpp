@@ -75,6 +75,12 @@ protected:
         static_cast<QDialog*>(*chooser)->accept();
         QTest::qWait(10);
     }
+    void dropColor()
+    {
+        drop(mapRow("color"), writeImage("wall_color.png", 512));
+        ASSERT_TRUE(window.assets().background().busy());
+    }
+    std::string savedColor() { return readState(State{}, file("a.relievo").toStdString())->state.slots[std::size_t(MapKind::Color)].file; }
     void type(const char* text)
     {
         auto* field = editor("depth").findChild<NumberField*>();
@@ -95,6 +101,75 @@ TEST_F(SavingTest, ANumberBeingTypedIsSaved)
     window.close();
     EXPECT_NE(asked(window, "unsaved"), nullptr) << "the number counts as unsaved";
     EXPECT_FLOAT_EQ(state().parameters.depth, 0.31f);
+}
+
+TEST_F(SavingTest, ANumberBeingTypedIsExported)
+{
+    type("0.25");
+    ExportDialog& dialog = exportTo("preset");
+    dialog.setOut(file("look.json"));
+    dialog.run();
+    finish(dialog);
+    EXPECT_FLOAT_EQ(readState(State{}, file("look.json").toStdString())->state.parameters.depth, 0.25f);
+}
+
+TEST_F(SavingTest, WhatIsStillLoadingIsSaved)
+{
+    ASSERT_TRUE(window.document().save(file("a.relievo")));
+    dropColor();
+    window.action("save")->trigger();
+    settle();
+    EXPECT_EQ(savedColor(), file("wall_color.png").toStdString());
+    EXPECT_FALSE(window.document().isModified());
+}
+
+TEST_F(SavingTest, ClosingWhileAMapLoadsAsks)
+{
+    ASSERT_TRUE(window.document().save(file("a.relievo")));
+    dropColor();
+    window.close();
+    ASSERT_NE(asked(window, "unsaved"), nullptr);
+    answer(*asked(window, "unsaved"), QMessageBox::RejectRole);
+    settle();
+    EXPECT_TRUE(window.isVisible());
+    EXPECT_TRUE(window.document().isModified()) << "it was taken";
+    window.action("undo")->trigger();
+    settle();
+    QTest::qWait(10);
+    dropColor();
+    window.close();
+    ASSERT_NE(asked(window, "unsaved"), nullptr);
+    answer(*asked(window, "unsaved"), QMessageBox::AcceptRole);
+    ASSERT_TRUE(waitFor([&] { return !window.isVisible(); }));
+    EXPECT_EQ(savedColor(), file("wall_color.png").toStdString());
+}
+
+TEST_F(SavingTest, WhatIsStillLoadingCanBeDiscarded)
+{
+    ASSERT_TRUE(window.document().save(file("a.relievo")));
+    dropColor();
+    window.files().startNew();
+    ASSERT_NE(asked(window, "unsaved"), nullptr);
+    answer(*asked(window, "unsaved"), QMessageBox::DestructiveRole);
+    settle();
+    EXPECT_EQ(asked(window, "unsaved"), nullptr) << "asked once";
+    EXPECT_TRUE(window.document().file().isEmpty());
+    EXPECT_FALSE(window.document().isModified());
+    EXPECT_EQ(savedColor(), "sample:bricks@64");
+}
+
+TEST_F(SavingTest, AClosingThatCouldNotSaveEverythingStays)
+{
+    ASSERT_TRUE(window.document().save(file("a.relievo")));
+    dropColor();
+    window.close();
+    ASSERT_NE(asked(window, "unsaved"), nullptr);
+    answer(*asked(window, "unsaved"), QMessageBox::AcceptRole);
+    window.assets().background().cancel();
+    QTest::qWait(50);
+    EXPECT_TRUE(window.isVisible());
+    window.close();
+    EXPECT_FALSE(window.isVisible());
 }
 
 TEST_F(SavingTest, ANameWithADotGetsItsSuffix)

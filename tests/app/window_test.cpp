@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions.h"
+#include "app/window/color_dialog.h"
+#include "app/window/overlays.h"
 #include "tests/app/window_support.h"
 #include <QClipboard>
 #include <QLabel>
@@ -242,4 +244,93 @@ TEST_F(WindowTest, MessagesAreCountedOpenedAndVanish)
     window.messages().clear("test");
     EXPECT_FALSE(window.messageLine().isOpen());
     EXPECT_TRUE(count->isHidden());
+}
+
+TEST_F(WindowTest, HiddenPanelsStayHidden)
+{
+    const int width = window.maps().width();
+    window.action("panels")->trigger();
+    EXPECT_TRUE(window.maps().isHidden());
+    window.close();
+    MainWindow next;
+    next.show();
+    EXPECT_FALSE(next.action("panels")->isChecked());
+    EXPECT_TRUE(next.maps().isHidden());
+    EXPECT_TRUE(next.parameters().isHidden());
+    next.action("panels")->trigger();
+    EXPECT_TRUE(next.maps().isVisible());
+    EXPECT_NEAR(next.maps().width(), width, 2);
+    next.close();
+    EXPECT_TRUE(MainWindow().action("panels")->isChecked());
+}
+
+TEST_F(WindowTest, PanesShareALegendUnlessTheirRangesDiffer)
+{
+    const auto shown = [&] {
+        QVector<HeatLegend*> list;
+        for (HeatLegend* legend : window.viewport().findChildren<HeatLegend*>())
+            if (legend->isVisible())
+                list.append(legend);
+        return list;
+    };
+    EXPECT_TRUE(shown().isEmpty());
+    window.setView("fetches");
+    EXPECT_EQ(shown().size(), 1);
+    window.action("two-panes")->trigger();
+    EXPECT_EQ(shown().size(), 1);
+    window.document().edit("Range", [](State& s) { s.panes[1].overrides["fetchRange"] = 80.f; }); // as a file may have it
+    ASSERT_EQ(shown().size(), 2);
+    const int middle = window.viewport().width() / 2;
+    EXPECT_EQ(shown()[0]->max(), 40.);
+    EXPECT_LT(shown()[0]->geometry().right(), middle);
+    EXPECT_EQ(shown()[1]->max(), 80.);
+    EXPECT_GT(shown()[1]->x(), middle);
+    window.setView("error");
+    EXPECT_EQ(shown().size(), 1) << "of equal range";
+    window.setView("fetches");
+    window.parameters().setScope(Scope::B);
+    auto* field = editor("fetchRange").findChild<NumberField*>();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "60");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(shown().size(), 1) << "what is set by hand is for both";
+    EXPECT_EQ(shown()[0]->max(), 60.);
+    EXPECT_FLOAT_EQ(state().parameters.fetchRange, 60.f);
+}
+
+TEST_F(WindowTest, AChosenColorIsAStepOfItsOwn)
+{
+    const glm::vec3 before = state().parameters.lightColor;
+    editor("lightColor").findChild<Swatch*>()->click();
+    auto* dialog = editor("lightColor").findChild<ColorDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    QWidget* picker = nullptr;
+    for (QWidget* part : dialog->findChildren<QWidget*>())
+        if (QString(part->metaObject()->className()).endsWith("QColorPicker"))
+            picker = part;
+    ASSERT_NE(picker, nullptr);
+    const auto pick = [&](QPoint from, QPoint to) {
+        drag(*picker, {from, (from + to) / 2, to});
+        QTest::qWait(10);
+    };
+    pick({10, 10}, {40, 30});
+    const glm::vec3 first = state().parameters.lightColor;
+    EXPECT_NE(first, before);
+    EXPECT_EQ(steps(), 1);
+    EXPECT_FALSE(window.document().inGesture()) << "the dialog is still open";
+    pick({60, 40}, {80, 50});
+    EXPECT_EQ(steps(), 2);
+    const QPoint handle = slider("depth").handle();
+    drag(slider("depth"), {handle, handle + QPoint(20, 0)});
+    drag(slider("depth"), {slider("depth").handle(), slider("depth").handle() + QPoint(20, 0)});
+    EXPECT_EQ(steps(), 4);
+    for (int i = 0; i < 3; ++i)
+        window.action("undo")->trigger();
+    EXPECT_EQ(state().parameters.lightColor, first);
+    EXPECT_EQ(dialog->currentColor().rgb(), toDisplay(first).rgb()) << "the dialog follows";
+    window.action("undo")->trigger();
+    EXPECT_EQ(state().parameters.lightColor, before);
+    dialog->close();
+    EXPECT_FALSE(window.document().inGesture());
 }
