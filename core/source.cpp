@@ -91,6 +91,29 @@ Expected<Opened> openScene(const std::string& source, const State& base)
     return opened;
 }
 
+// The relief as the file has it, as far as its numbers make sense; depth in tiles, which are the mesh's UV units.
+void takeRelief(State& state, const MeshRelief& relief, double metresPerUV)
+{
+    const auto take = [&state](std::string_view key, double value) {
+        const ParameterRow& row = *findParameter(key);
+        std::visit(
+            [&](auto member) {
+                using T = std::remove_cvref_t<decltype(state.parameters.*member)>;
+                if constexpr (std::is_arithmetic_v<T>)
+                    if (std::isfinite(value))
+                        set(state.parameters, row, clamped(row, T(std::clamp(value, double(row.min), double(row.max)))));
+            },
+            row.member);
+    };
+    take("depth", relief.depth / metresPerUV);
+    take("midlevel", relief.midlevel);
+    for (const auto& [key, value] : relief.search)
+        take(key, value);
+    const TechniqueRow* technique = findTechnique(relief.technique);
+    if (technique && !technique->file.empty())
+        state.panes.front().technique = relief.technique;
+}
+
 // A mesh file as SOURCE: the first of its materials that has maps, on all parts. Without heights it is shown as bump.
 Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const Progress& progress)
 {
@@ -107,6 +130,8 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
         for (Pane& pane : opened.state.panes)
             if (const TechniqueRow* technique = findTechnique(pane.technique); technique && listHas(technique->maps, "height"))
                 pane.technique = "bump";
+    if (material->relief)
+        takeRelief(opened.state, *material->relief, double(mesh->metresPerUV));
     opened.state.name = file.stem().string();
     return opened;
 }

@@ -1,6 +1,7 @@
 // Off-screen targets.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/driver_limits.h"
 #include "render/gl_objects.h"
 #include "render/renderer.h"
 
@@ -15,10 +16,10 @@ Framebuffer::~Framebuffer()
     glDeleteRenderbuffers(1, &m_depth);
 }
 
-void Framebuffer::resize(int width, int height, bool floats)
+Expected<void> Framebuffer::resize(int width, int height, bool floats)
 {
-    if (m_framebuffer && width == m_width && height == m_height && floats == m_floats)
-        return;
+    if (m_framebuffer && width == m_width && height == m_height && floats == m_floats && m_isWhole)
+        return {};
     m_width = width, m_height = height, m_floats = floats;
     if (!m_framebuffer) {
         glGenFramebuffers(1, &m_framebuffer);
@@ -32,6 +33,9 @@ void Framebuffer::resize(int width, int height, bool floats)
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_color);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_depth);
+    const auto drawable = canBeDrawnTo(width, height);
+    m_isWhole = bool(drawable);
+    return drawable;
 }
 
 } // namespace relievo

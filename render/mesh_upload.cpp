@@ -12,6 +12,7 @@
 #include "render/texture_units.h"
 #include <algorithm>
 #include <cstddef>
+#include <glm/vector_relational.hpp>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,15 +20,20 @@
 namespace relievo {
 
 namespace {
-// A buffer of one vector a vertex for attribute `location` of the vertex array that is bound.
-Buffer vectorAttribute(GLuint location, std::span<const glm::vec3> values)
+Buffer vectorBuffer(std::span<const glm::vec3> values)
 {
     Buffer buffer = newBuffer();
     glBindBuffer(GL_ARRAY_BUFFER, *buffer);
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(values.size_bytes()), values.data(), GL_STATIC_DRAW);
+    return buffer;
+}
+
+// One vector a vertex for attribute `location` of the vertex array that is bound.
+void vectorAttribute(GLuint location, const Buffer& buffer)
+{
+    glBindBuffer(GL_ARRAY_BUFFER, *buffer);
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-    return buffer;
 }
 
 // What shaders/borders_cut.glsl reads: first and count of each triangle, then the segments. Nothing for a mesh without borders.
@@ -83,11 +89,12 @@ void MeshUpload::hold(const std::shared_ptr<const Mesh>& mesh)
         *this = MeshUpload(), m_mesh = mesh;
 }
 
-bool MeshUpload::isClosed()
+bool MeshUpload::showsBacks(glm::vec3 eye, float margin)
 {
     if (!m_closed)
-        m_closed = relievo::isClosed(*m_mesh);
-    return *m_closed;
+        m_closed = isClosed(*m_mesh);
+    const glm::vec3 least = m_mesh->boundsMin - margin, most = m_mesh->boundsMax + margin;
+    return !*m_closed || (glm::all(glm::greaterThanEqual(eye, least)) && glm::all(glm::lessThanEqual(eye, most)));
 }
 
 bool MeshUpload::isFinerThanPixels() const
@@ -129,10 +136,10 @@ void MeshUpload::bindPrisms(const LinkedProgram& program, const Pose& pose, std:
     program.bind("prismMap", GL_TEXTURE_BUFFER, m_prisms.texture(), kBorderUnit); // a program reads one of the two
 }
 
-void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part)
+void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part, int curvature)
 {
     if (m_mesh->deformation && program.reads("poseMap"))
-        m_pose.bind(program, *m_mesh, poseOf(*m_mesh, parameters), parameters.silhouettes == 3 && hasPrisms() ? 0 : parameters.silhouettes);
+        m_pose.bind(program, *m_mesh, poseOf(*m_mesh, parameters), curvature);
     if (program.reads("prismMap"))
         bindPrisms(program, poseOf(*m_mesh, parameters), part);
     if (program.reads("borderMap") && hasBorders())
@@ -184,11 +191,15 @@ void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_vie
     if (!m_vertexArray)
         makeVertices();
     glBindVertexArray(*m_vertexArray);
-    if (pushed && !m_push)
-        m_push = vectorAttribute(5, pushDirections(*m_mesh));
-    if (curvature != 0 && (!m_curvature || m_curvatureKind != curvature)) {
-        m_curvature = vectorAttribute(6, vertexFalls(*m_mesh, curvature == 1));
-        m_curvatureKind = curvature;
+    if (pushed && !m_push) {
+        m_push = vectorBuffer(pushDirections(*m_mesh));
+        vectorAttribute(5, m_push);
+    }
+    if (curvature != 0) {
+        Buffer& falls = m_curvature[curvature == 1 ? 0 : 1];
+        if (!falls)
+            falls = vectorBuffer(vertexFalls(*m_mesh, curvature == 1));
+        vectorAttribute(6, falls);
     }
     if (coarse && !m_coarse)
         makeCoarse();

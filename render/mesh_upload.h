@@ -4,6 +4,7 @@
 #pragma once
 #include "core/mesh/pose.h"
 #include "render/pose_upload.h"
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,14 +19,16 @@ public:
     // Forgets what belongs to another mesh.
     void hold(const std::shared_ptr<const Mesh>& mesh);
 
-    // isClosed and whether bordersOf finds any; for silhouettes.
-    bool isClosed();
-    bool hasBorders();
+    bool hasBorders(); // whether bordersOf finds any
+    // Whether faces away from `eye` may be seen though the fronts cover what lies behind them: not those of a closed mesh, unless the eye
+    // may be inside. margin: how far the mesh is pushed out, m.
+    bool showsBacks(glm::vec3 eye, float margin);
     bool isFinerThanPixels() const; // has more triangles than the viewport has pixels: drawing it costs more than searching what is hidden
     bool hasPrisms(); // whether the driver's buffers are large enough for the mesh
 
-    // Binds the pose that clip and time name, the borders and the prisms, for a program that reads them. part: State::part.
-    void bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part);
+    // Binds the pose that clip and time name, the borders and the prisms, for a program that reads them. part: State::part. curvature: as
+    // of draw().
+    void bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part, int curvature);
 
     // Which parts of the mesh a draw is for: those with the relief of the material, or those without any. `part` is State::part.
     enum class Parts { Relief, Plain };
@@ -42,9 +45,9 @@ private:
 
     std::shared_ptr<const Mesh> m_mesh;
     VertexArray m_vertexArray;
-    Buffer m_vertices, m_indices, m_push, m_curvature, m_coarse;
+    Buffer m_vertices, m_indices, m_push, m_coarse;
+    std::array<Buffer, 2> m_curvature; // axes and quadric: panes may differ
     std::vector<std::uint32_t> m_coarseFirst; // CoarseTriangles::firstIndex
-    int m_curvatureKind = 0; // of what lies in m_curvature
     std::optional<bool> m_closed;
     std::optional<BufferTexture> m_borders; // without a texture when the mesh has none
     BufferTexture m_prisms;

@@ -95,7 +95,8 @@ Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t 
             "Up to " + std::to_string(limit) + " pixels a side and " + std::to_string(kMaxPicturePixels / 1'000'000)
                 + " million in all are possible here");
     Framebuffer framebuffer;
-    framebuffer.resize(width, height, linear);
+    if (const auto made = framebuffer.resize(width, height, linear); !made)
+        return tl::unexpected(made.error());
     const std::size_t count = std::size_t(width) * std::size_t(height) * 4;
     const auto draw = [&](int i) {
         const glm::vec2 jitter = samples == 1 ? glm::vec2(0.f) : pixelShift(i);

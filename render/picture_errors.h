@@ -14,7 +14,8 @@ Resources fillingResources(Resources resources); // what that is drawn with: the
 inline constexpr double kTilesAcross = 0.93;
 inline constexpr std::array<double, 4> kPictureAngles = {30., 60., 75., 85.};
 
-// Over the pixels that the mesh covers.
+// Over the pixels that the mesh covers. Errors are those of the search along the ray at each pixel: from the exact first hit of the same
+// ray on the tangent plane (bent, with silhouettes), not from the displaced mesh.
 struct PictureErrors {
     double meanFetches = 0., maxFetches = 0.; // of the search
     double rmse = 0., largest = 0.; // of the depth found, share of the relief's depth

@@ -4,12 +4,18 @@
 #include "render/pose_upload.h"
 #include "core/mesh/curvature.h"
 #include "render/texture_units.h"
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <glm/vec4.hpp>
 #include <vector>
 
 namespace relievo {
+
+std::size_t morphTexels(const Mesh& mesh)
+{
+    return 4 * mesh.vertices.size() * mesh.deformation->targets.size();
+}
 
 void PoseUpload::addAttributes(const Mesh& mesh)
 {
@@ -23,12 +29,12 @@ void PoseUpload::addAttributes(const Mesh& mesh)
     glVertexAttribPointer(8, 4, GL_FLOAT, GL_FALSE, sizeof(Influence), reinterpret_cast<const void*>(offsetof(Influence, weights)));
 }
 
-void PoseUpload::uploadTargets(const Mesh& mesh, int curvature)
+void PoseUpload::uploadTargets(BufferTexture& to, const Mesh& mesh, int curvature)
 {
     static_assert(sizeof(MorphDelta) == 3 * sizeof(glm::vec4));
     const std::vector<MorphTarget>& targets = mesh.deformation->targets;
     const std::size_t count = mesh.vertices.size();
-    std::vector<glm::vec4> texels(std::max<std::size_t>(4 * count * targets.size(), 1), glm::vec4(0.f));
+    std::vector<glm::vec4> texels(std::max<std::size_t>(morphTexels(mesh), 1), glm::vec4(0.f));
     const std::vector<glm::vec3> rest = curvature != 0 && !targets.empty() ? vertexFalls(mesh, curvature == 1) : std::vector<glm::vec3>{};
     for (std::size_t t = 0; t < targets.size(); ++t) {
         std::vector<glm::vec3> moved;
@@ -44,15 +50,15 @@ void PoseUpload::uploadTargets(const Mesh& mesh, int curvature)
                 out[3] = glm::vec4(moved[i] - rest[i], 0.f);
         }
     }
-    m_morph.fill(texels, GL_STATIC_DRAW);
-    m_curvature = curvature;
+    to.fill(texels, GL_STATIC_DRAW);
 }
 
 void PoseUpload::bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, int curvature)
 {
     glActiveTexture(GL_TEXTURE0 + kPoseUnit);
-    if (m_curvature != curvature)
-        uploadTargets(mesh, curvature);
+    BufferTexture& morph = m_morph[std::size_t(std::min(curvature, 2))];
+    if (!morph.texture())
+        uploadTargets(morph, mesh, curvature);
     std::vector<glm::vec4> texels = {glm::vec4(float(pose.joints.size()), float(pose.weights.size()), float(mesh.vertices.size()), 0.f)};
     for (const glm::mat4& joint : pose.joints)
         for (int column = 0; column < 4; ++column)
@@ -61,7 +67,7 @@ void PoseUpload::bind(const LinkedProgram& program, const Mesh& mesh, const Pose
         texels.emplace_back(weight, 0.f, 0.f, 0.f);
     m_pose.fill(texels, GL_STREAM_DRAW);
     program.bind("poseMap", GL_TEXTURE_BUFFER, m_pose.texture(), kPoseUnit);
-    program.bind("morphMap", GL_TEXTURE_BUFFER, m_morph.texture(), kMorphUnit);
+    program.bind("morphMap", GL_TEXTURE_BUFFER, morph.texture(), kMorphUnit);
 }
 
 } // namespace relievo

@@ -5,8 +5,12 @@
 #include "core/mesh/pose.h"
 #include "render/buffer_texture.h"
 #include "render/program.h"
+#include <array>
 
 namespace relievo {
+
+// Size of morphMap.
+std::size_t morphTexels(const Mesh& mesh);
 
 class PoseUpload {
 public:
@@ -17,11 +21,11 @@ public:
     void bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, int curvature);
 
 private:
-    void uploadTargets(const Mesh& mesh, int curvature);
+    static void uploadTargets(BufferTexture& to, const Mesh& mesh, int curvature);
 
     Buffer m_influences;
-    BufferTexture m_pose, m_morph;
-    int m_curvature = -1; // in m_morph; -1: nothing is
+    BufferTexture m_pose;
+    std::array<BufferTexture, 3> m_morph; // without curvature, axes, quadric: panes may differ
 };
 
 } // namespace relievo

@@ -8,7 +8,9 @@
 #include "core/state/views.h"
 #include "core/trace/displaced_mesh.h"
 #include "render/clear_target.h"
+#include "render/driver_limits.h"
 #include "render/mesh_upload.h"
+#include "render/pane_values.h"
 #include "render/program_cache.h"
 #include "render/shadow_map.h"
 #include "render/texture_units.h"
@@ -24,25 +26,12 @@
 
 namespace relievo {
 namespace {
-std::set<MapKind> presentMaps(const Material& material)
+// Lines more than a pixel wide are an error in contexts without what is deprecated.
+void setLineWidth(float pixels)
 {
-    std::set<MapKind> maps;
-    if (material.height)
-        maps.insert(MapKind::Height);
-    for (const MapKindRow& row : kMapKinds)
-        if (material.map(row.kind))
-            maps.insert(row.kind);
-    return maps;
-}
-
-// Of parts that the material is not on: grey, smooth, where they are.
-ProgramFeatures withoutRelief(ProgramFeatures features)
-{
-    features.technique = "flat";
-    features.maps.clear();
-    features.curved = features.prisms = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows
-        = features.coarser = features.clamps = false;
-    return features;
+    GLint flags = 0;
+    glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+    glLineWidth(flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT ? std::min(pixels, 1.f) : pixels);
 }
 } // namespace
 
@@ -52,7 +41,7 @@ struct Renderer::Impl {
     std::map<Resources::BoundKey, Resources::Bound> bounds; // made here
     ProgramCache programs;
     std::map<ProgramFeatures, std::string> programNames;
-    ShadowMap shadowMap;
+    std::map<std::size_t, ShadowMap> shadowMaps; // by pane
     VertexArray noVertices;
     Framebuffer measuring;
     std::vector<float> pixels;
@@ -71,9 +60,9 @@ struct Renderer::Impl {
     }
 
     // The parts with relief by `features`, the plain ones by what is left of them without. First all faces towards the eye: those behind
-    // them fail the depth test before they are searched. Where the front is cut off, the inside must not show: a closed mesh has no other
-    // faces to draw, and of others what lies behind the front's polygons is hidden (not in a shadow map, whose depth is what counts).
-    // use(program, uniforms) makes a program ready.
+    // them fail the depth test before they are searched. Where the front is cut off, or writes a depth of its own, the inside must not
+    // show: of a closed mesh no other faces are drawn, and of others what lies behind the front's polygons is hidden (not in a shadow map,
+    // whose depth is what counts). Holes of the material show it. use(program, uniforms) makes a program ready.
     template <class Use>
     void drawSurface(const State& state, const ProgramFeatures& features, const Parameters& parameters, const SceneUniforms& uniforms,
         bool intoShadowMap, bool coarse, const Use& use, std::optional<Error>& error)
@@ -85,9 +74,7 @@ struct Renderer::Impl {
             if (!mesh.has(parts, state.part))
                 return;
             const ProgramFeatures used = plain ? withoutRelief(features) : features;
-            SceneUniforms values = uniforms;
-            if (plain)
-                values.reliefDepth = values.pushOut = 0.f;
+            const SceneUniforms values = plain ? withoutRelief(uniforms) : uniforms;
             if (const LinkedProgram* program = polygons ? polygonProgramFor(used.posed, error) : meshProgramFor(used, error)) {
                 if (program != std::exchange(ready, program) || parts != std::exchange(readyFor, parts))
                     use(*program, values);
@@ -99,33 +86,36 @@ struct Renderer::Impl {
             draw(MeshUpload::Parts::Relief, polygons);
             draw(MeshUpload::Parts::Plain, polygons);
         };
-        if (!features.curved && mesh.isFinerThanPixels())
+        const bool covers = features.curved || (features.depthOfHit && !features.maps.contains(MapKind::Opacity));
+        if (!covers && mesh.isFinerThanPixels())
             return drawAll(false);
+        const bool backs = !covers || mesh.showsBacks(uniforms.eye, uniforms.pushOut);
         glEnable(GL_CULL_FACE); // the fronts first: what they hide is not searched
         glCullFace(GL_BACK);
         drawAll(false);
-        if (features.curved && !intoShadowMap && !mesh.isClosed()) {
+        if (covers && backs && !intoShadowMap) {
             glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
             drawAll(true);
             glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         }
         glCullFace(GL_FRONT);
-        if (!features.curved || !mesh.isClosed())
+        if (backs)
             drawAll(false);
         glDisable(GL_CULL_FACE);
     }
 
     // What the light sees, as deep as the relief is there; sets the uniforms by which it is read.
     template <class Use>
-    void drawShadowMap(const State& state, ProgramFeatures features, const Parameters& parameters, SceneUniforms& uniforms,
-        const Resources& resources, const Use& use, std::optional<Error>& error)
+    void drawShadowMap(ShadowMap& shadowMap, const State& state, ProgramFeatures features, const Parameters& parameters,
+        SceneUniforms& uniforms, const Resources& resources, const Use& use, std::optional<Error>& error)
     {
         features.view = "depth", features.shading = 0, features.shadows = features.softShadows = features.objectShadows = false;
+        features.faded = false; // by the eye's view, not the light's
         const SceneUniforms light = lightUniforms(uniforms, resources.mesh->boundsMin, resources.mesh->boundsMax, uniforms.pushOut);
         const TechniqueRow& technique = *findTechnique(features.technique);
         features.depthOfHit = technique.displaces;
-        const ShadowCause cause{
-            parameters, features.technique, state.part, resources.mesh, resources.material, boundFor(resources, technique, parameters)};
+        const ShadowCause cause{drawnIntoShadowMap(parameters), features.technique, state.part, resources.mesh, resources.material,
+            boundFor(resources, technique, parameters)};
         shadowMap.draw(cause, [&] { drawSurface(state, features, parameters, light, true, false, use, error); });
         uniforms.shadowFromWorld = light.clipFromWorld;
         const glm::mat4& clip = light.clipFromWorld;
@@ -144,33 +134,6 @@ int Renderer::textureCount() const
     return m->uploads.textureCount();
 }
 
-namespace {
-
-// A map larger than the driver takes would be drawn black, without a word.
-Expected<void> fitTheDriver(const Material& material)
-{
-    GLint limit = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-    int largest = material.height ? std::max(material.height->width(), material.height->height()) : 0;
-    for (const auto& image : material.maps)
-        largest = image ? std::max({largest, image->width, image->height}) : largest;
-    if (largest <= limit)
-        return {};
-    return failure("OpenGL", "a map is " + std::to_string(largest) + " texels long and this driver takes " + std::to_string(limit),
-        "Make the map smaller");
-}
-
-// What a pane needs to be drawn; the error view measures the search itself, so it searches the full resolution.
-Parameters drawnParameters(const State& state, std::size_t pane, std::string_view view)
-{
-    Parameters parameters = effectiveParameters(state, pane);
-    if (view == "error")
-        parameters.heightMips = false;
-    return parameters;
-}
-
-} // namespace
-
 Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resources& resources, std::string_view view, const Target& target)
 {
     const ViewRow* viewRow = findView(view);
@@ -180,9 +143,11 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     const Parameters parameters = drawnParameters(state, pane, view);
     const std::set<MapKind> maps = presentMaps(*resources.material);
     clearTarget(parameters, target, viewRow->isHeat);
-    if ((listHas(technique->maps, "height") || view == "error") && !maps.contains(MapKind::Height))
+    if (const auto drawable = canBeDrawnTo(target.width, target.height); !drawable)
+        return drawable;
+    if ((listHas(technique->maps, "height") || viewRow->isAgainstExact) && !maps.contains(MapKind::Height))
         return failure(state.name,
-            std::string(technique->label) + (view == "error" ? "'s error" : "") + " needs a height map and the material has none",
+            std::string(technique->label) + (viewRow->isAgainstExact ? "'s error" : "") + " needs a height map and the material has none",
             "Assign one, or choose flat or bump");
 
     Resources used = resources;
@@ -208,46 +173,51 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     SceneUniforms uniforms = sceneUniforms(parameters, camera, mesh.metresPerUV);
     uniforms.pushOut = technique->displaces ? (1.f - parameters.midlevel) * uniforms.reliefDepth : 0.f;
     uniforms.heatScale = 1.f / heatRange(parameters, view);
-    if (const auto fits = fitTheDriver(*resources.material); !fits)
+    uniforms.sampleTurn = target.jitter.x;
+    if (const auto fits = fitTheDriver(*resources.material, mesh); !fits)
         return fits;
     if (m->programs.reload())
-        m->shadowMap.forget();
+        m->shadowMaps.clear();
+    std::erase_if(m->shadowMaps, [&](const auto& entry) { return entry.first >= state.panes.size(); });
     m->uploads.hold(used);
     m->mesh.hold(resources.mesh);
+    ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
+    features.posed = bool(mesh.deformation);
+    features.onMesh = view == "error" && used.seen && used.seen->width == target.width && used.seen->height == target.height;
+    features.prisms = features.prisms && (!viewRow->isAgainstExact || features.onMesh) && m->mesh.hasPrisms(); // the other walks one ray
+    features.borders = features.curved && !features.prisms && m->mesh.hasBorders();
     std::optional<Error> error;
     const Wrap wrap = wrapOf(parameters);
+    const int curvature = features.curved && !features.prisms ? parameters.silhouettes : 0;
     const auto use = [&](const LinkedProgram& program, const SceneUniforms& values) {
         program.use();
         program.set(parameters);
         program.set(values);
         m->uploads.bindMaps(program, wrap, technique->bound, bound);
         m->uploads.bindSeen(program);
-        m->mesh.bind(program, parameters, state.part);
+        m->mesh.bind(program, parameters, state.part, curvature);
         if (program.reads("shadowMap"))
-            program.bind("shadowMap", GL_TEXTURE_2D, m->shadowMap.texture(), kShadowUnit);
+            program.bind("shadowMap", GL_TEXTURE_2D, m->shadowMaps[pane].texture(), kShadowUnit);
     };
-    ProgramFeatures features = programFeatures(parameters, technique->key, view, maps, target.linear);
-    features.posed = bool(mesh.deformation);
-    features.onMesh = view == "error" && used.seen && used.seen->width == target.width && used.seen->height == target.height;
-    features.prisms = features.prisms && (view != "error" || features.onMesh) && m->mesh.hasPrisms(); // the other walks one ray
-    features.borders = features.curved && !features.prisms && m->mesh.hasBorders();
     if (features.objectShadows) {
-        m->drawShadowMap(state, features, parameters, uniforms, used, use, error);
+        m->drawShadowMap(m->shadowMaps[pane], state, features, parameters, uniforms, used, use, error);
         bindTarget(target);
     }
     const bool coarse = target.hasty && !features.curved && m->mesh.isFinerThanPixels();
     m->drawSurface(state, features, parameters, uniforms, false, coarse, use, error);
     if (parameters.wireframe) {
         if (const LinkedProgram* lines = m->polygonProgramFor(features.posed, error)) {
-            use(*lines, uniforms);
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-            glLineWidth(target.lineWidth);
+            setLineWidth(target.lineWidth);
             glEnable(GL_BLEND);
             glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); // alpha stays the mesh's
             glEnable(GL_POLYGON_OFFSET_LINE);
             glPolygonOffset(-1.f, -1.f);
-            for (const MeshUpload::Parts parts : {MeshUpload::Parts::Relief, MeshUpload::Parts::Plain})
-                m->mesh.draw(*lines, parts, state.part, uniforms.pushOut != 0.f, 0, coarse);
+            for (const MeshUpload::Parts parts : {MeshUpload::Parts::Relief, MeshUpload::Parts::Plain}) {
+                const SceneUniforms values = parts == MeshUpload::Parts::Plain ? withoutRelief(uniforms) : uniforms;
+                use(*lines, values);
+                m->mesh.draw(*lines, parts, state.part, values.pushOut != 0.f, 0, coarse);
+            }
             glDisable(GL_POLYGON_OFFSET_LINE);
             glDisable(GL_BLEND);
             glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -268,6 +238,10 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     }
     glActiveTexture(GL_TEXTURE0);
     glUseProgram(0);
+    if (const auto sufficed = memorySufficed(); !sufficed) {
+        m->uploads = Uploads(), m->mesh = MeshUpload(), m->shadowMaps.clear(); // the next picture tries again, and tells again
+        return sufficed;
+    }
     if (error)
         return tl::unexpected(*error);
     return {};
@@ -277,7 +251,8 @@ Expected<Measurement> Renderer::measure(const State& state, std::size_t pane, co
 {
     const int width = aspect >= 1.6f ? 320 : std::max(1, int(200.f * aspect));
     const int height = aspect >= 1.6f ? std::max(1, int(320.f / aspect)) : 200;
-    m->measuring.resize(width, height, true);
+    if (const auto made = m->measuring.resize(width, height, true); !made)
+        return tl::unexpected(made.error());
     State counted = state;
     counted.parameters.wireframe = false;
     const Target target{m->measuring.handle(), width, height, true, 1.f, {}, false, mayBake};

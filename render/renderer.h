@@ -16,7 +16,7 @@ struct Target {
     int width = 0, height = 0; // pixels
     bool linear = false; // float values without exposure, tone curve and sRGB (for EXR); else display values
     float lineWidth = 1.f; // of the wireframe, pixels
-    glm::vec2 jitter{0.f}; // shift of the picture in pixels, for averaging several into a smooth one
+    glm::vec2 jitter{0.f}; // shift of the picture in pixels, for averaging several into a smooth one; soft shadows turn with it
     bool hasty = false; // the picture lasts a moment: a mesh of more triangles than pixels may be drawn with fewer
     bool mayBake = true; // makes a bound map that the resources lack; a window does not, it would stand still
 };
@@ -61,7 +61,8 @@ public:
     ~Framebuffer();
     Framebuffer(const Framebuffer&) = delete;
     Framebuffer& operator=(const Framebuffer&) = delete;
-    void resize(int width, int height, bool floats = false); // keeps what fits; floats: RGBA32F instead of RGBA8
+    // Keeps what fits; floats: RGBA32F instead of RGBA8. What the driver cannot hold is an error, which drawing into it tells too.
+    Expected<void> resize(int width, int height, bool floats = false);
     unsigned handle() const { return m_framebuffer; }
     int width() const { return m_width; }
     int height() const { return m_height; }
@@ -69,7 +70,7 @@ public:
 private:
     unsigned m_framebuffer = 0, m_color = 0, m_depth = 0;
     int m_width = 0, m_height = 0;
-    bool m_floats = false;
+    bool m_floats = false, m_isWhole = false;
 };
 
 } // namespace relievo

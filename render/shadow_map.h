@@ -16,9 +16,12 @@ namespace relievo {
 // worldFromClip and eye (far away) differ from `uniforms`.
 SceneUniforms lightUniforms(SceneUniforms uniforms, glm::vec3 boundsMin, glm::vec3 boundsMax, float margin);
 
+// Of the parameters those that the map is drawn with; the others by default.
+Parameters drawnIntoShadowMap(const Parameters& parameters);
+
 // What a shadow map shows; where it is the same, the map is.
 struct ShadowCause {
-    Parameters parameters;
+    Parameters parameters; // by drawnIntoShadowMap
     std::string technique, part;
     std::shared_ptr<const void> mesh, material, bound;
     bool operator==(const ShadowCause&) const = default;
@@ -29,7 +32,6 @@ class ShadowMap {
 public:
     // Draws anew by `draw`, which finds the map bound and cleared, unless `cause` is the last one's. May leave another framebuffer bound.
     void draw(const ShadowCause& cause, const std::function<void()>& draw);
-    void forget() { m_cause.reset(); } // its programs have changed
     GLuint texture() const { return *m_texture; } // compares, filtered; beyond its border all is lit
 
 private:

@@ -4,6 +4,7 @@
 #include "core/shader_text/program_text.h"
 #include "core/state/techniques.h"
 #include "core/trace/shader_on_cpu.h"
+#include "render/driver_limits.h"
 #include "render/program.h"
 #include "render/uploads.h"
 #include "render/windowless.h"
@@ -94,6 +95,8 @@ struct Pass {
 Expected<std::vector<SearchHit>> traceRaysOnGpu(
     std::string_view key, const Parameters& parameters, const HeightField* field, std::span<const SearchRay> rays, Dialect dialect)
 {
+    if (const auto fits = field ? fitTheDriver(*field) : Expected<void>(); !fits)
+        return tl::unexpected(fits.error());
     const auto maps = searchMaps(key, parameters, field);
     if (!maps)
         return tl::unexpected(maps.error());
@@ -135,6 +138,8 @@ Expected<std::vector<SearchHit>> traceRaysOnGpu(
             if (finite(part[i]))
                 hits[first + i] = pass.hit(i);
     }
+    if (const auto sufficed = memorySufficed(); !sufficed)
+        return tl::unexpected(sufficed.error());
     return hits;
 }
 

@@ -219,8 +219,8 @@ void Uploads::hold(const Resources& resources)
     m_resources = resources;
     if (!resources.seen)
         m_seen = Texture(), m_uploadedSeen = nullptr;
-    if (!resources.material->height)
-        m_slopes = Map(), m_uploadedSlopes = nullptr;
+    if (const auto& height = resources.material->height; m_uploadedSlopes != (height ? height->identity() : nullptr))
+        m_slopes = {}, m_uploadedSlopes = nullptr;
     for (const MapKindRow& row : kMapKinds) { // a map that is gone frees its texture
         const std::size_t i = std::size_t(row.kind);
         const Material& material = *m_resources.material;
@@ -250,19 +250,19 @@ const Uploads::Map& Uploads::map(MapKind kind)
 const Uploads::Map& Uploads::slopes(Wrap wrap)
 {
     glActiveTexture(GL_TEXTURE0 + kUploadUnit);
+    Map& slopes = m_slopes[wrap == Wrap::Clamp ? 1 : 0];
     if (!m_resources.material->height) // an older program is drawn while the new text is broken
-        return m_slopes;
+        return slopes;
     const HeightField& field = *m_resources.material->height;
-    if (m_uploadedSlopes != field.identity() || m_slopesWrap != wrap) {
-        m_slopes = {newTexture(), std::log2(float(std::max(field.width(), field.height())))};
-        glBindTexture(GL_TEXTURE_2D, *m_slopes.texture);
+    if (!slopes.texture) {
+        slopes = {newTexture(), std::log2(float(std::max(field.width(), field.height())))};
+        glBindTexture(GL_TEXTURE_2D, *slopes.texture);
         const auto values = slopesOf(field.withWrap(wrap));
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, field.width(), field.height(), 0, GL_RG, GL_FLOAT, values.data());
         filter(GL_LINEAR_MIPMAP_LINEAR);
         m_uploadedSlopes = field.identity();
-        m_slopesWrap = wrap;
     }
-    return m_slopes;
+    return slopes;
 }
 
 void Uploads::bindMap(const LinkedProgram& program, const std::string& sampler, const Map& map, Wrap wrap, int unit)
@@ -326,8 +326,8 @@ void Uploads::bindSeen(const LinkedProgram& program)
 
 int Uploads::textureCount() const
 {
-    const auto maps = std::ranges::count_if(m_maps, [](const Map& map) { return bool(map.texture); });
-    return int(maps) + int(m_bounds.size()) + (m_slopes.texture ? 1 : 0) + (m_environment ? 1 : 0) + (m_seen ? 1 : 0);
+    const auto count = [](const auto& maps) { return int(std::ranges::count_if(maps, [](const Map& map) { return bool(map.texture); })); };
+    return count(m_maps) + count(m_slopes) + int(m_bounds.size()) + (m_environment ? 1 : 0) + (m_seen ? 1 : 0);
 }
 
 } // namespace relievo

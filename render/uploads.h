@@ -57,9 +57,8 @@ private:
     std::array<Map, kMapKindCount> m_maps;
     Texture m_seen;
     std::shared_ptr<const SeenDistances> m_uploadedSeen;
-    Map m_slopes; // of the height map, for materials without a normal map
-    std::shared_ptr<const void> m_uploadedSlopes;
-    Wrap m_slopesWrap = Wrap::Repeat;
+    std::array<Map, 2> m_slopes; // of the height map by wrap, for materials without a normal map
+    std::shared_ptr<const void> m_uploadedSlopes; // of which height map
     struct UploadedBound {
         std::shared_ptr<const SearchTexture> map;
         SearchUpload upload;

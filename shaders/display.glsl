@@ -1,4 +1,4 @@
-// From linear radiance to the screen: exposure, a tone curve that leaves middle colours alone, sRGB.
+// From linear radiance to the screen: exposure, a tone curve that leaves middle colours alone, sRGB. Of colours that are not lit sRGB alone.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 
@@ -28,5 +28,9 @@ vec3 encodeSrgb(vec3 color)
 
 vec3 toDisplay(vec3 color)
 {
+#ifdef UNLIT
+    return encodeSrgb(color);
+#else
     return encodeSrgb(toneCurve(max(color * exposureFactor, vec3(0.0f))));
+#endif
 }

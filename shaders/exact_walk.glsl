@@ -32,7 +32,7 @@ float bilinear(vec4 h, vec2 f)
     return top * (1.0f - f.y) + bottom * f.y;
 }
 
-// Depth t of the first hit; 1 when there is none within 4096 cells (a picture needs no more).
+// Depth t of the first hit; 1 when there is none, also for a ray that crosses more than 65536 cells (1024 x 1024 texels at 89.9 degrees).
 float exactDepth(Ray ray)
 {
     vec2 size = vec2(textureSize(heightMap, 0));
@@ -41,7 +41,9 @@ float exactDepth(Ray ray)
     vec2 cell = floor(start);
     vec2 forward = vec2(slope.x < 0.0f ? 0.0f : 1.0f, slope.y < 0.0f ? 0.0f : 1.0f);
     float enter = 0.0f;
-    for (int i = 0; i < 4096; ++i) {
+    float crossed = abs(slope.x) + abs(slope.y);
+    int cells = crossed < 65536.0f ? int(crossed) + 3 : 65536;
+    for (int i = 0; i < cells; ++i) {
         vec2 wall = cell + forward - start;
         float exitX = slope.x != 0.0f ? wall.x / slope.x : 2.0f;
         float exitY = slope.y != 0.0f ? wall.y / slope.y : 2.0f;

@@ -7,7 +7,8 @@ void main()
 {
     Surface surface;
     surface.footprint = footprintOf(dFdx(textureUv), dFdy(textureUv)); // before any branch: derivatives are undefined after
-    surface.frame = textureFrame();
+    surface.start = textureFrame();
+    surface.frame = surface.start;
     surface.toEye = normalize(eye - position);
     startSearch(surface.footprint);
     surface.depth = depthSeen(dot(surface.frame.normal, surface.toEye));

@@ -29,5 +29,5 @@ bool lightIsHidden(Surface surface, vec3 toLight)
         begin = max(exit.way, begin);
         below = exit.below;
     }
-    return false;
+    return false; // nothing hid it on the way that was walked
 }

@@ -1,4 +1,5 @@
-// Soft self-shadow: eight rays over the light's disc, turned from pixel to pixel so that averaging shows no steps.
+// Soft self-shadow: eight rays over the light's disc, turned from pixel to pixel so that no steps show, and from sample to sample so that
+// the average of several is smooth.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 float lightReaching(Surface surface)
@@ -6,7 +7,8 @@ float lightReaching(Surface surface)
     vec3 across = normalize(cross(lightDirection, abs(lightDirection.y) < 0.9f ? vec3(0.0f, 1.0f, 0.0f) : vec3(1.0f, 0.0f, 0.0f)));
     vec3 up = cross(across, lightDirection);
     // Interleaved gradient noise (Jimenez 2014, Next Generation Post Processing in Call of Duty: Advanced Warfare).
-    float turn = fract(52.9829189f * fract(0.06711056f * gl_FragCoord.x + 0.00583715f * gl_FragCoord.y));
+    // sampleTurn: share of a whole turn, 0 in a picture of one sample.
+    float turn = sampleTurn + fract(52.9829189f * fract(0.06711056f * gl_FragCoord.x + 0.00583715f * gl_FragCoord.y));
     float radius = tan(0.5f * radians(lightSize));
     float lit = 0.0f;
     for (int i = 0; i < 8; ++i) {

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: MIT
 #include "prisms.glsl"
 
-const int kMostPrisms = 96;
+const int kMostPrisms = 512; // a bound on what broken meshes cost; whole ones of half a million triangles keep below it
 const float kUnfinished = 0.75f; // where a search ends that does not come to the floor
 int seenTriangle = 0; // in whose prism the hit lies
 
@@ -20,7 +20,8 @@ Surface seen(Surface surface)
     int fetches = 1;
     surface.hit = Hit(textureUv, 0.0f, false, 0);
     surface.point = position;
-    for (int i = 0; i < kMostPrisms; ++i) {
+    bool isInside = true;
+    for (int i = 0; i < kMostPrisms && isInside; ++i) {
         seenTriangle = entry.triangle;
         Prism prism = prismOf(entry.triangle, depth);
         Corner corners[3] = prism.corners;
@@ -42,11 +43,11 @@ Surface seen(Surface surface)
         if (hit.found)
             break;
         entry = beyond(entry.triangle, exit);
-        if (entry.triangle < 0)
-            break;
+        isInside = entry.triangle >= 0;
         begin = end;
         above = exit.below;
     }
+    surface.hit.found = isInside; // also where the walk has to end before it has left the relief
     return surface;
 }
 

@@ -13,6 +13,7 @@ struct Frame {
     vec3 gradV;
 };
 struct Surface {
+    Frame start; // where the ray met the polygon
     Frame frame; // where the search landed
     vec3 toEye;
     float depth; // of the relief here, m

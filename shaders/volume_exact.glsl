@@ -1,6 +1,11 @@
 // The distance volume, interpolated here: the same numbers on every machine.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
+vec3 volumeVoxels()
+{
+    return vec3(textureSize(distanceMap, 0));
+}
+
 float distanceSlice(ivec2 low, ivec2 high, vec2 f, int slice)
 {
     float a = texelFetch(distanceMap, ivec3(low.x, low.y, slice), 0).r;

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/file.h"
+#include "core/image/image_file.h"
 #include "core/mesh/pose.h"
 #include "core/state/presets.h"
 #include "core/state/state_json.h"
@@ -66,7 +67,7 @@ bool StateOptions::changesState() const
 
 namespace {
 
-// The maps given by hand. A file that is not there is the user's slip, not a map gone missing.
+// The maps given by hand. A file that is not there or cannot be read is the user's slip, not a map gone missing.
 Expected<void> setMaps(const StateOptions& options, Opened& opened)
 {
     MapSlots& slots = opened.state.slots;
@@ -74,6 +75,13 @@ Expected<void> setMaps(const StateOptions& options, Opened& opened)
         std::error_code code;
         if (!fs::exists(file, code))
             return failure(file, "there is no such file", "Check the path of --" + std::string(row(kind).key));
+        auto& image = opened.images[absolutePath(file)];
+        if (!image) {
+            auto read = readImage(absolutePath(file));
+            if (!read)
+                return tl::unexpected(read.error());
+            image = std::make_shared<const ImageRead>(std::move(*read));
+        }
         MapSlot& slot = slots[std::size_t(kind)] = slotByHand(kind, file, opened.images, opened.warnings);
         if (kind == MapKind::Height) // the option says which it is, not the name
             slot.invert = depth;

@@ -2,13 +2,20 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "core/maps/map_cache.h"
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
 #include <memory>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 namespace relievo::cli {
 
@@ -22,14 +29,47 @@ struct CommandRow {
 constexpr CommandRow kCommands[] = {{"render", addRender}, {"trace", addTrace}, {"bake", addBake}, {"export", addExport},
     {"describe", addDescribe}, {"info", addInfo}, {"report", addReport}, {"tune", addTune}, {"compare", addCompare}};
 
+void warnOf(const char* variable, const char* value, const char* cure)
+{
+    std::fprintf(stderr, "relievo: warning: %s=%s %s\n", variable, value, cure);
+}
+
 // RELIEVO_THREADS bounds the worker threads for as long as the value lives.
 std::unique_ptr<tbb::global_control> boundedThreads()
 {
     const char* text = std::getenv("RELIEVO_THREADS");
-    const int threads = text ? std::atoi(text) : 0;
-    if (threads < 1)
+    if (!text || !*text)
         return {};
+    int threads = 0;
+    const char* end = text + std::strlen(text);
+    if (const auto [at, code] = std::from_chars(text, end, threads); code != std::errc() || at != end || threads < 1) {
+        warnOf("RELIEVO_THREADS", text, "is no number of threads and not used. Write one of at least 1.");
+        return {};
+    }
     return std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+}
+
+void warnOfFolders()
+{
+    std::error_code code;
+    if (const char* folder = std::getenv("RELIEVO_SHADERS"); folder && *folder && !std::filesystem::is_directory(folder, code))
+        warnOf("RELIEVO_SHADERS", folder, "is no folder: the shaders built in are used. Name the folder of the shaders' texts.");
+    const auto cache = cacheFolder();
+    if (const char* folder = std::getenv("RELIEVO_CACHE"); folder && *folder && cache) {
+        std::filesystem::path nearest = std::filesystem::absolute(*cache, code);
+        while (!std::filesystem::exists(nearest, code) && nearest.has_relative_path())
+            nearest = nearest.parent_path();
+        if (!std::filesystem::is_directory(nearest, code) || ::access(nearest.c_str(), W_OK) != 0)
+            warnOf("RELIEVO_CACHE", folder, "cannot be written: baked maps are not kept. Name another folder, or \"off\".");
+    }
+}
+
+// What a command printed may still have to be written, and the disk may be full. A reader that closed its pipe has what it wanted.
+bool wroteAll()
+{
+    errno = 0;
+    const bool flushed = std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush();
+    return flushed || errno == EPIPE;
 }
 
 bool startsCommand(int argc, char** argv)
@@ -44,6 +84,7 @@ int run(int argc, char** argv)
 {
     if (!startsCommand(argc, argv))
         return startEditor(argc, argv);
+    warnOfFolders();
     int exitCode = Done;
     CLI::App app(
         "Relievo: relief materials, seen, compared and exported.\nrelievo [SOURCE] opens the editor; the commands need no display.");
@@ -68,7 +109,11 @@ int main(int argc, char** argv)
 {
     const auto threads = relievo::cli::boundedThreads();
     try {
-        return relievo::cli::run(argc, argv);
+        const int code = relievo::cli::run(argc, argv);
+        if (relievo::cli::wroteAll())
+            return code;
+        std::fprintf(stderr, "relievo: error: the output could not be written (%s). Free space where it goes.\n", std::strerror(errno));
+        return relievo::cli::Failed;
     } catch (const std::bad_alloc&) {
         std::fputs("relievo: error: there is not enough memory. Use smaller maps or close other programs.\n", stderr);
     } catch (const std::exception& error) {

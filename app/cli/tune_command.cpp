@@ -115,8 +115,8 @@ Result<Tuned> tune(const TuneOptions& options)
         return problem({"a project is written as .relievo", "-o " + options.out, "Give it that suffix"}, WrongUsage);
     for (const auto& [name, value] :
         {std::pair("--max-error", options.maxError), {"--max-missed", options.maxMissed}, {"--max-fetches", options.maxFetches}})
-        if (std::isnan(value))
-            return problem({"this is not a number", name, "Write one of at least 0"}, WrongUsage);
+        if (!(value >= 0.))
+            return problem({"this is no number of at least 0", name, "Write one"}, WrongUsage);
     const auto techniques = techniquesOf(options.techniques);
     if (!techniques)
         return tl::unexpected(techniques.error());
@@ -213,7 +213,7 @@ void printText(const TuneOptions& options, const Tuned& tuned)
         std::printf("%-36s %12s %6d %14s %10s%s\n", tuned.plan.settings[candidate->setting].label.c_str(),
             figure(candidate->meanFetches).c_str(), candidate->maxFetches, figure(candidate->error).c_str(),
             percent(candidate->missed).c_str(), candidate->within ? "  within" : "");
-    std::printf("error: %s, worst view; budget %s\n", std::string(metric->label).c_str(), figure(options.maxError).c_str());
+    std::printf("error: %s, worst view; budget %g\n", std::string(metric->label).c_str(), options.maxError);
 }
 
 nlohmann::ordered_json parametersJson(const SearchSetting& setting)
@@ -273,8 +273,9 @@ int run(const TuneOptions& options)
         printText(options, *tuned);
     if (tuned->chosen)
         return Done;
-    return tell({{"no setting of these techniques is within the budget", "--max-error " + figure(options.maxError),
-                     "Allow more error, more missed rays or more fetches"},
+    char budget[48];
+    std::snprintf(budget, sizeof budget, "--max-error %g", options.maxError);
+    return tell({{"no setting of these techniques is within the budget", budget, "Allow more error, more missed rays or more fetches"},
         MissedTarget});
 }
 
@@ -288,7 +289,6 @@ void addTune(CLI::App& app, int& exitCode)
     options->common.addTo(*command);
     command->add_option("--max-error", options->maxError, "Largest error allowed in any view, in the unit of --metric")
         ->required()
-        ->check(CLI::NonNegativeNumber)
         ->type_name("E");
     command
         ->add_option("--metric", options->metric,
@@ -300,9 +300,7 @@ void addTune(CLI::App& app, int& exitCode)
         ->add_option("--max-missed", options->maxMissed, "Most rays that may go through the first surface in any band of angles, percent")
         ->check(CLI::Range(0., 100.))
         ->type_name("PCT");
-    command->add_option("--max-fetches", options->maxFetches, "Most texture fetches a ray, mean of the bands")
-        ->check(CLI::NonNegativeNumber)
-        ->type_name("N");
+    command->add_option("--max-fetches", options->maxFetches, "Most texture fetches a ray, mean of the bands")->type_name("N");
     command->add_option("--techniques", options->techniques, "Only these techniques; all when not given")
         ->type_name("KEY,KEY...")
         ->delimiter(',');

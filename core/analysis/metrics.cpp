@@ -18,9 +18,9 @@ bool valid(const SearchHit& hit)
     return hit.t >= 0. && hit.t <= 1. && std::isfinite(hit.uv.x) && std::isfinite(hit.uv.y);
 }
 
-double texelsOf(const HeightField& field, const SearchRay& ray)
+double texelsOf(const HeightField& field, glm::dvec2 shift)
 {
-    return std::hypot(ray.duv.x * field.width(), ray.duv.y * field.height());
+    return std::hypot(shift.x * field.width(), shift.y * field.height());
 }
 
 // Within what the exact answer would be on a surface a hair higher or lower.
@@ -61,7 +61,8 @@ HitErrors compareHits(
             continue;
         }
         const double t = hits[i].found ? hits[i].t : 1., difference = t - exact[i].t, distance = std::abs(difference);
-        const double texels = distance * texelsOf(field, rays[i]);
+        const glm::dvec2 uv = hits[i].found ? hits[i].uv : rays[i].uv + rays[i].duv;
+        const double texels = texelsOf(field, uv - exact[i].uv);
         fetches.push_back(hits[i].fetches);
         errors.meanBytes += hits[i].bytes;
         ++errors.rays;

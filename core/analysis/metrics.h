@@ -11,7 +11,7 @@ namespace relievo {
 // A hit is wrong when it lies more than both from the exact one (so that grazing rays, which cross many texels in little depth, and
 // coarse maps, where half a texel is much depth, are not blamed for what nobody sees).
 inline constexpr double kWrongDepth = 0.002; // share of the depth
-inline constexpr double kWrongTexels = 0.5; // along the ray, sideways
+inline constexpr double kWrongTexels = 0.5; // sideways: between the places of the texture that are shown
 // ... and is a tie, counted apart, when raising or lowering the whole surface by this much makes it right.
 inline constexpr double kTieHeight = 1e-4;
 
@@ -23,7 +23,7 @@ struct HitErrors {
     std::size_t ties = 0; // neither of the two, and left out of the figures of t
     std::size_t notFound = 0; // the search gave up; it counts as t = 1
     double rmse = 0., largest = 0.; // of t, share of the depth
-    double rmseTexels = 0., largestTexels = 0.; // |dt| times the texels that the ray travels
+    double rmseTexels = 0., largestTexels = 0.; // between the uv found and the exact one
     double meanFetches = 0., p99Fetches = 0.;
     int maxFetches = 0;
     double meanBytes = 0.; // fetched

@@ -68,7 +68,8 @@ std::string reportHtml(const Report& report);
 // percent.
 std::string reportJson(const Report& report);
 // One line a setting, field and view: the rays of a band, or a picture at an angle; what does not apply is left empty. Where there are
-// several fields, lines of all of them together follow those of the rays. The mesh is not in it.
+// several fields, lines of all of them together follow those of the rays. Last a line a row of the mesh: no technique, its label as
+// setting, the mesh as field, "mesh" as view, msRatio to the first of them; the tangents are not in it.
 std::string reportCsv(const Report& report);
 
 // Three significant digits without an exponent: "0", "0.0312", "28.4", "1240".

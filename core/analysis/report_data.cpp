@@ -42,6 +42,16 @@ struct PictureColumn {
 constexpr PictureColumn kPictureColumns[] = {
     {"milliseconds", &PictureRow::milliseconds}, {"msRatio", &PictureRow::ratio}, {"psnr", &PictureRow::psnr}, {"flip", &PictureRow::flip}};
 
+struct MeshColumn {
+    const char* key;
+    double (*of)(const MeshRow& row);
+};
+constexpr MeshColumn kMeshColumns[] = {
+    {"coveragePercent", [](const MeshRow& r) { return 100. * r.coverage; }},
+    {"depthRmsePixels", [](const MeshRow& r) { return r.depthRmse; }},
+    {"invalidPixels", [](const MeshRow& r) { return r.invalid; }},
+};
+
 std::string number(double value)
 {
     char buffer[40];
@@ -145,9 +155,13 @@ std::string reportJson(const Report& report)
     if (const MeshSection& mesh = report.mesh; !mesh.name.empty()) {
         json["mesh"] = {{"name", mesh.name}, {"displacedTriangles", mesh.triangles}, {"depthMetres", mesh.depth}, {"views", mesh.views},
             {"width", mesh.width}, {"height", mesh.height}, {"rows", nlohmann::ordered_json::array()}};
-        for (const MeshRow& row : mesh.rows)
-            json["mesh"]["rows"].push_back({{"label", row.label}, {"coveragePercent", 100. * row.coverage},
-                {"depthRmsePixels", row.depthRmse}, {"invalidPixels", row.invalid}, {"msRatio", row.ratio}});
+        for (const MeshRow& row : mesh.rows) {
+            nlohmann::ordered_json line{{"label", row.label}};
+            for (const MeshColumn& column : kMeshColumns)
+                line[column.key] = column.of(row);
+            line["msRatio"] = row.ratio;
+            json["mesh"]["rows"].push_back(std::move(line));
+        }
         if (mesh.tangents)
             json["mesh"]["tangents"]
                 = {{"corners", mesh.tangents->corners}, {"off", mesh.tangents->off}, {"worstDegrees", mesh.tangents->worst}};
@@ -165,6 +179,8 @@ std::string reportCsv(const Report& report)
         text += std::string(",") + column.key;
     for (const PictureColumn& column : kPictureColumns)
         text += std::string(",") + column.key;
+    for (const MeshColumn& column : kMeshColumns)
+        text += std::string(",") + column.key;
     text += '\n';
     const auto names = [&](std::size_t setting, std::size_t field) {
         const SearchSetting& s = report.plan.settings[setting];
@@ -177,13 +193,21 @@ std::string reportCsv(const Report& report)
         text += names(row.setting, row.field) + "rays " + number(band.from) + '-' + number(band.to);
         for (const Column& column : kRayColumns)
             text += ',' + number(column.of(row));
-        text += std::string(std::size(kPictureColumns), ',') + '\n';
+        text += std::string(std::size(kPictureColumns) + std::size(kMeshColumns), ',') + '\n';
     }
     for (const PictureRow& row : report.pictures) {
         text += names(row.setting, row.field) + "picture " + number(report.angles[row.angle]);
         text += std::string(std::size(kRayColumns), ',');
         for (const PictureColumn& column : kPictureColumns)
             text += ',' + number(row.*column.of);
+        text += std::string(std::size(kMeshColumns), ',') + '\n';
+    }
+    for (const MeshRow& row : report.mesh.rows) {
+        text += ',' + quoted(row.label) + ',' + quoted(report.mesh.name) + ",mesh" + std::string(std::size(kRayColumns), ',');
+        for (const PictureColumn& column : kPictureColumns)
+            text += column.of == &PictureRow::ratio && std::isfinite(row.ratio) ? ',' + number(row.ratio) : ",";
+        for (const MeshColumn& column : kMeshColumns)
+            text += ',' + number(column.of(row));
         text += '\n';
     }
     return text;

@@ -22,9 +22,9 @@ constexpr const char* kTransform = "KHR_texture_transform";
 constexpr const char* kBrighter = "KHR_materials_emissive_strength";
 constexpr int kFloat = 5126, kUint = 5125, kVertices = 34962, kIndices = 34963; // glTF's numbers for types and targets
 
-Mesh atRest(const Mesh& mesh)
+std::optional<Mesh> atRest(const Mesh& mesh) // nothing when it does not move
 {
-    return mesh.deformation ? posed(mesh, poseAt(mesh, -1, 0.f)) : mesh;
+    return mesh.deformation ? std::optional(posed(mesh, poseAt(mesh, -1, 0.f))) : std::nullopt;
 }
 
 class GltfWriter {
@@ -33,7 +33,8 @@ public:
         : m_job(job)
         , m_parameters(effectiveParameters(job.state, 0))
         , m_material(*job.resources.material)
-        , m_mesh(atRest(*job.resources.mesh))
+        , m_posed(atRest(*job.resources.mesh))
+        , m_mesh(m_posed ? *m_posed : *job.resources.mesh)
     {
     }
 
@@ -269,10 +270,19 @@ private:
         if (!texture)
             return tl::unexpected(texture.error());
         const float measured = m_job.resources.mesh->metresPerUV;
-        const Json numbers = {{"depth", shortest(physicalDepth(m_parameters, measured))}, {"midlevel", shortest(m_parameters.midlevel)},
-            {"metresPerUV", shortest(metresPerUV(m_parameters, measured))},
-            {"technique", m_job.state.panes.empty() ? Pane().technique : m_job.state.panes.front().technique},
-            {"minSteps", m_parameters.minSteps}, {"maxSteps", m_parameters.maxSteps}, {"refineSteps", m_parameters.refineSteps}};
+        const std::string technique = m_job.state.panes.empty() ? Pane().technique : m_job.state.panes.front().technique;
+        const TechniqueRow* techniqueRow = findTechnique(technique);
+        Json numbers = {{"depth", shortest(physicalDepth(m_parameters, measured))}, {"midlevel", shortest(m_parameters.midlevel)},
+            {"metresPerUV", shortest(metresPerUV(m_parameters, measured))}, {"technique", technique}, {"minSteps", m_parameters.minSteps},
+            {"maxSteps", m_parameters.maxSteps}, {"refineSteps", m_parameters.refineSteps}};
+        for (const ParameterRow& row : kParameters) // what the technique searches by
+            if (row.group == Group::Search && row.key != "heightMips" && techniqueRow && listHas(techniqueRow->parameters, row.key))
+                std::visit(
+                    [&](auto value) {
+                        if constexpr (std::is_arithmetic_v<decltype(value)>)
+                            numbers[std::string(row.key)] = value;
+                    },
+                    get(m_parameters, row));
         Json relief = {{"heightTexture", *texture}};
         relief.update(numbers);
         material["extensions"][kRelief] = relief;
@@ -290,6 +300,17 @@ private:
     {
         for (int shift = 0; shift < 32; shift += 8)
             out.push_back(std::byte(value >> shift & 0xffu));
+    }
+
+    // Ends, for every name that is passed over is a file: a_height.png, a_glb_height.png, a_glb2_height.png ...
+    fs::path heightBeside() const
+    {
+        for (int n = 0;; ++n) {
+            const std::string infix = n == 0 ? "" : n == 1 ? "_glb" : "_glb" + std::to_string(n);
+            const fs::path file = m_job.out.parent_path() / (m_job.out.stem().string() + infix + "_height.png");
+            if (sparesSources(m_job, file))
+                return file;
+        }
     }
 
     Expected<Exported> finished()
@@ -321,12 +342,7 @@ private:
             made.keep();
             return std::move(m_exported);
         }
-        fs::path beside = m_job.out;
-        for (const char* name : {"_height.png", "_glb_height.png", "_relievo_height.png"}) {
-            beside.replace_filename(m_job.out.stem().string() + name);
-            if (sparesSources(m_job, beside))
-                break;
-        }
+        const fs::path beside = heightBeside();
         made.willMake(beside);
         if (Expected<void> written = writeImage(beside, reduced(heightImage(*m_material.height, 16), m_job.size, Averaging::Plain));
             !written)
@@ -339,7 +355,8 @@ private:
     const ExportJob& m_job;
     Parameters m_parameters;
     const Material& m_material;
-    const Mesh m_mesh; // as it is written
+    const std::optional<Mesh> m_posed;
+    const Mesh& m_mesh; // as it is written
     Json m_document = Json::object();
     std::vector<std::byte> m_binary;
     bool m_hasPlainParts = false;

@@ -53,12 +53,11 @@ Json numbersOf(const ExportJob& job, const Parameters& parameters)
 {
     const float measured = job.resources.mesh->metresPerUV;
     const float depth = physicalDepth(parameters, measured), unit = metresPerUV(parameters, measured);
-    const auto number = [](float value) { return shortest(value); };
-    return {{"name", job.state.name}, {"depthMetres", number(depth)}, {"depthUV", number(depth / unit)},
-        {"depthInTiles", number(parameters.depth)}, {"midlevel", number(parameters.midlevel)}, {"metresPerUV", number(unit)},
-        {"tiling", number(parameters.tiling)}, {"tileMetres", number(unit / parameters.tiling)},
-        {"offset", {number(parameters.offsetU), number(parameters.offsetV)}}, {"rotationDegrees", number(parameters.rotation)},
-        {"wrap", parameters.wrap == 0 ? "repeat" : "clamp"}, {"normalStrength", number(parameters.normalStrength)},
+    return {{"name", job.state.name}, {"depthMetres", shortest(depth)}, {"depthUV", shortest(depth / unit)},
+        {"depthInTiles", shortest(parameters.depth)}, {"midlevel", shortest(parameters.midlevel)}, {"metresPerUV", shortest(unit)},
+        {"tiling", shortest(parameters.tiling)}, {"tileMetres", shortest(unit / parameters.tiling)},
+        {"offset", {shortest(parameters.offsetU), shortest(parameters.offsetV)}}, {"rotationDegrees", shortest(parameters.rotation)},
+        {"wrap", parameters.wrap == 0 ? "repeat" : "clamp"}, {"normalStrength", shortest(parameters.normalStrength)},
         {"technique", job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique}};
 }
 } // namespace

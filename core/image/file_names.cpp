@@ -234,8 +234,8 @@ NameGuess guessOf(std::string_view name, const std::vector<Word>& words, const s
     guess.convention = match->meaning.convention;
     guess.plain = {guess.roles.back().kind, Channel::Rgb};
     const std::string text = joined(words, match->first, match->last);
-    guess.weak = text.size() == 1 || listed("dx rm bc nm hm", text);
-    guess.vague = text == "a" || text == "b";
+    guess.weak = text.size() == 1 || listed("dx rm bc nm hm dp ro", text);
+    guess.vague = text == "a" || text == "b" || text == "c" ? text.front() : '\0';
     return guess;
 }
 

@@ -31,10 +31,12 @@ struct NameGuess {
     std::vector<MapRole> roles; // empty: the name names no kind
     Packing packing = Packing::None;
     MapRole plain{MapKind::Height}; // what a packed file is when it has no alpha: the last word's kind
-    bool weak = false; // one letter: counts only when siblings of the same stem agree
-    // The letter a: emission in a set with colours, if the pixels are mostly black; else no map.
-    // The letter b: base colour beside the packed maps of Megascans (ORDp, DpRA); else no map.
-    bool vague = false;
+    bool weak = false; // one or two letters: counts only when siblings of the same stem agree
+    // The letter a, b or c, which may as well number the takes of one map; else 0.
+    // a: emission in a set with colours, if the pixels are mostly black; else no map.
+    // b: base colour beside the packed maps of Megascans (ORDp, DpRA); else no map.
+    // c: colour beside a normal or height map, where there is no b; else no map.
+    char vague = '\0';
     int rank = 0; // 0 is the best word for its kind
     std::string resolution; // "1k", "2048" ...: the tag that says so, lower case; "" without any
     Convention convention = Convention::Unsure; // GL, DX, Height or Depth when the name says so

@@ -11,20 +11,22 @@ bool isDigit(char c)
 {
     return c >= '0' && c <= '9';
 }
-// Words for kinds beside the suffixes of kMapKinds.
+// Words for kinds beside the suffixes of kMapKinds. refl is Poliigon's reflection map, of its specular workflow; c, dp and ro are
+// Archicad's.
 struct ExtraWords {
     MapKind kind;
     std::string_view words;
 };
 constexpr auto kExtraWords = std::to_array<ExtraWords>({
-    {MapKind::Height, "elevation heights parallax displ hm"},
-    {MapKind::Color, "basecolour albedocolor diffusecolor diffusecolour colors coll clr bc basemap maintex b"},
+    {MapKind::Height, "elevation heights parallax displ hm dp"},
+    {MapKind::Color, "basecolour albedocolor diffusecolor diffusecolour colors coll clr bc basemap maintex b c"},
     {MapKind::Normal, "norms nrml nml ddn nm"},
+    {MapKind::Roughness, "ro"},
     {MapKind::AmbientOcclusion, "mixedao ambient"},
     {MapKind::Emission, "emissivecolor selfillumination a"},
     {MapKind::Opacity, "opac transparency"},
     {MapKind::Gloss, "glossy"},
-    {MapKind::Specular, "specularlevel"},
+    {MapKind::Specular, "specularlevel refl"},
 });
 constexpr std::string_view kGlWords = "gl ogl opengl";
 constexpr std::string_view kDxWords = "dx d3d directx";

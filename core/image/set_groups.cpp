@@ -65,11 +65,15 @@ template <class Doubted> void takeOut(FileGroup& group, std::vector<NamedFile>& 
     std::erase_if(group.files, [](const NamedFile& file) { return file.guess.roles.empty(); });
 }
 
-// The letter a means emission only beside colours, and where nothing else does; b means colour only beside Megascans' packed maps.
+// The letter a means emission only beside colours, and where nothing else does; b means colour only beside Megascans' packed maps, c beside
+// relief, and where there is no b.
 bool vagueMayStay(const FileGroup& group, const NamedFile& vague)
 {
     FileGroup clear = group;
-    std::erase_if(clear.files, [](const NamedFile& file) { return file.guess.vague; });
+    std::erase_if(clear.files, [](const NamedFile& file) { return file.guess.vague != '\0'; });
+    if (vague.guess.vague == 'c')
+        return !clear.holds(MapKind::Color) && (clear.holds(MapKind::Normal) || clear.holds(MapKind::Height))
+            && std::ranges::none_of(group.files, [](const NamedFile& file) { return file.guess.vague == 'b'; });
     if (vague.guess.roles.front().kind == MapKind::Color)
         return !clear.holds(MapKind::Color) && std::ranges::any_of(clear.files, [](const NamedFile& file) {
             return file.guess.packing == Packing::Channels
@@ -85,7 +89,7 @@ std::vector<NamedFile> takeDoubtful(Groups& groups)
     std::vector<NamedFile> doubtful;
     for (auto& [stem, group] : groups) {
         const FileGroup before = group;
-        takeOut(group, doubtful, [&](const NamedFile& file) { return file.guess.vague && !vagueMayStay(before, file); });
+        takeOut(group, doubtful, [&](const NamedFile& file) { return file.guess.vague != '\0' && !vagueMayStay(before, file); });
         const bool weakOnly = std::ranges::all_of(group.files, [](const NamedFile& file) { return file.guess.weak; });
         if (weakOnly && group.kinds() < 2)
             takeOut(group, doubtful, [](const NamedFile&) { return true; });

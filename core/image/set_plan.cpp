@@ -126,7 +126,8 @@ NamedFile asHeight(const fs::path& file)
     NamedFile named{file, guessFromName(file.stem().string())};
     named.guess.roles = {{MapKind::Height, Channel::Rgb}};
     named.guess.packing = Packing::None;
-    named.guess.weak = named.guess.vague = false;
+    named.guess.weak = false;
+    named.guess.vague = '\0';
     named.guess.convention = endsInDepth(file.stem().string()) ? Convention::Depth : Convention::Height;
     return named;
 }

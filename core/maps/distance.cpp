@@ -61,8 +61,8 @@ std::vector<float> columnHeights(const HeightField& field, const Axis& u, const 
     return heights;
 }
 
-// Squared distances in units of half voxels. Box b of a line of columns (the support of voxel b) spans the nodes 2 b - 1 to 2 b + 3 of
-// the lattice, column m the nodes m to m + 1: the gap between them is that between node 2 b + 1 and the nodes m - 2 to m + 3.
+// Squared distances in units of half voxels. The centre of voxel b of a line of columns is node 2 b + 1 of the lattice; column m spans the
+// nodes m to m + 1, and the nearer of them is the gap.
 class Line {
 public:
     explicit Line(int padded) : m_lowest(std::size_t(padded)), m_site(std::size_t(padded)), m_from(std::size_t(padded) + 1) { }
@@ -73,7 +73,7 @@ public:
         const int count = axis.padded();
         for (int n = 0; n < count; ++n) { // least cost of the columns that reach node n
             float least = std::numeric_limits<float>::infinity();
-            for (int m = std::max(0, n - 3); m <= std::min(count - 1, n + 2); ++m)
+            for (int m = std::max(0, n - 1); m <= n; ++m)
                 least = std::min(least, costs[std::size_t(m)]);
             m_lowest[std::size_t(n)] = least / squaredStep;
         }
@@ -128,14 +128,14 @@ struct Volume {
     // Slice k into out (u.voxels x v.voxels).
     void slice(int k, float* out) const
     {
-        const float lowest = 1.f - (float(k) + 1.5f) / float(kDistanceSlices); // of the voxels' supports
+        const float middle = 1.f - (float(k) + 0.5f) / float(kDistanceSlices); // height of the voxels' centres
         std::vector<float> costs(std::size_t(std::max(u.padded(), v.padded())));
         std::vector<float> rows(std::size_t(u.voxels) * std::size_t(v.columns()));
         Line line(int(costs.size()));
         const float stepU = float(u.columnWidth() * u.columnWidth()), stepV = float(v.columnWidth() * v.columnWidth());
         for (int j = 0; j < v.columns(); ++j) {
             for (int i = 0; i < u.padded(); ++i) {
-                const float above = kDistanceHeightScale * std::max(0.f, lowest - columnHeight(i - u.border(), j));
+                const float above = kDistanceHeightScale * std::max(0.f, middle - columnHeight(i - u.border(), j));
                 costs[std::size_t(i)] = above * above;
             }
             line.transform(

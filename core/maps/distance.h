@@ -19,8 +19,9 @@ inline constexpr float kDistanceHeightScale = 0.25f;
 // dist^2 = du^2 + dv^2 + (kDistanceHeightScale dt)^2; 0 inside. A ray uv + t duv may step by
 // dt = distance / sqrt(|duv|^2 + kDistanceHeightScale^2) whatever the State's depth, which is inside duv: no rebake.
 // The volume has min(W, 128) x min(H, 128) x 32 voxels, centres at (i + 0.5) / size; slice k, t = (k + 0.5) / 32, first slice nearest the
-// top. A voxel holds the least distance from anywhere in the box of twice its size about its centre, a lower bound by at most half a
-// voxel: so the trilinear interpolation of any eight never exceeds the true distance (repeat or clamp to edge as the field's).
+// top. A voxel holds the distance from its centre, never above the true one: columns of half a voxel are as high as their highest point.
+// Between centres an interpolation may exceed the true distance, by at most half the diagonal of a voxel (distances grow no faster than
+// the way to a centre, and the mean of the ways to the eight is at most that): Donnelly's steps ignore that, `safeBalls` subtracts it.
 // Exact Euclidean transform by lower envelopes of parabolas (Felzenszwalb and Huttenlocher 2012), linear in the voxels.
 BakedMap bakeDistance(const HeightField& field, const Parameters& parameters, const Progress& progress);
 

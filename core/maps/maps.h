@@ -74,7 +74,7 @@ inline constexpr auto kMaps = std::to_array<MapRow>({
         "For each 2 x 2 cells between texel centres, and the nodes of 8, 32 and 128 cells a side that hold them: highest point (upper "
         "byte) and "
         "steepest rise from it (lower byte). See the page on cell cones."},
-    {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 1, MapForm::Volume, "", bakeDistance,
+    {"distance", "Distance volume", "tiles", 1, {kRatio}, 16, 2, MapForm::Volume, "", bakeDistance,
         "Distance to the relief at up to 128 x 128 x 32 points of the slab, for sphere tracing (Donnelly 2005); the slices one below the "
         "other, from the top down."},
 });

@@ -27,23 +27,18 @@ void renewNormals(Mesh& mesh)
             mesh.vertices[i].normal = glm::normalize(sums[i]);
 }
 
-// What target `number` adds to each vertex, by building the mesh that it makes. source: the position of each vertex.
-std::vector<MorphDelta> deltasOf(
-    const Mesh& mesh, const RawDeformation& moves, std::size_t number, const std::vector<std::uint32_t>& source)
+// What a target adds to each vertex, by building the mesh that it makes. pieces: of it, in the order of positions. source: the position of
+// each vertex.
+std::vector<MorphDelta> deltasOf(const Mesh& mesh, std::span<const RawDeformation::Piece> pieces, const std::vector<std::uint32_t>& source)
 {
     Mesh reached = mesh, base = mesh;
     std::vector<bool> touched(source.size());
-    std::vector<const RawDeformation::Piece*> pieces; // of this target, in the order of positions
-    for (const RawDeformation::Piece& piece : moves.pieces)
-        if (piece.target == number)
-            pieces.push_back(&piece);
-    std::ranges::sort(pieces, {}, &RawDeformation::Piece::first);
     const auto forTouched = [&](const auto& act) { // act(vertex, piece, offset in it)
         for (std::size_t i = 0; i < source.size(); ++i) {
             const auto after = std::ranges::upper_bound(pieces, std::size_t(source[i]), {}, &RawDeformation::Piece::first);
             if (after == pieces.begin())
                 continue;
-            const RawDeformation::Piece& piece = **std::prev(after);
+            const RawDeformation::Piece& piece = *std::prev(after);
             if (const std::size_t offset = source[i] - piece.first; offset < piece.positions.size())
                 act(i, piece, offset);
         }
@@ -71,10 +66,30 @@ std::vector<MorphDelta> deltasOf(
 }
 } // namespace
 
-std::shared_ptr<const Deformation> deformationOf(const Mesh& mesh, RawMesh& raw)
+std::size_t mostTargets(std::size_t vertices)
+{
+    return kMostDeltas / std::max(vertices, std::size_t(1));
+}
+
+void cutTargets(RawDeformation& moves, std::size_t vertices)
+{
+    std::vector<MorphTarget>& targets = moves.deformation.targets;
+    if (targets.size() <= mostTargets(vertices))
+        return;
+    targets.resize(mostTargets(vertices));
+    std::erase_if(moves.pieces, [&](const RawDeformation::Piece& piece) { return piece.target >= targets.size(); });
+    moves.isCut = true;
+}
+
+std::shared_ptr<const Deformation> deformationOf(Mesh& mesh, RawMesh& raw)
 {
     if (!raw.moves)
         return nullptr;
+    cutTargets(*raw.moves, mesh.vertices.size());
+    if (raw.moves->isCut)
+        mesh.warnings.push_back({"morph-too-large",
+            "The morph targets are too large together: only the first " + std::to_string(raw.moves->deformation.targets.size())
+                + " are kept."});
     std::vector<std::uint32_t> source(mesh.vertices.size(), 0); // position of each vertex
     for (std::size_t i = mesh.indices.size(); i-- > 0;)
         source[mesh.indices[i]] = raw.corners[i].position;
@@ -83,8 +98,14 @@ std::shared_ptr<const Deformation> deformationOf(const Mesh& mesh, RawMesh& raw)
     for (std::size_t i = 0; i < source.size(); ++i)
         influences[i] = deformation->influences[source[i]];
     deformation->influences = std::move(influences);
-    for (std::size_t t = 0; t < deformation->targets.size(); ++t)
-        deformation->targets[t].deltas = deltasOf(mesh, *raw.moves, t, source);
+    std::vector<RawDeformation::Piece>& pieces = raw.moves->pieces;
+    std::ranges::sort(pieces, {}, [](const RawDeformation::Piece& piece) { return std::pair(piece.target, piece.first); });
+    for (std::size_t t = 0; t < deformation->targets.size(); ++t) {
+        const auto ours = std::ranges::equal_range(pieces, t, {}, &RawDeformation::Piece::target);
+        deformation->targets[t].deltas = deltasOf(mesh, ours, source);
+        for (RawDeformation::Piece& piece : ours) // both forms of all targets would take half as much again
+            piece = {};
+    }
     return deformation;
 }
 

@@ -15,11 +15,11 @@ bool isSmall(float number)
     return std::abs(number) < 1e15f;
 } // false for NaN
 
-std::optional<glm::vec3> tripleOf(const std::vector<double>& list)
+std::optional<glm::dvec3> tripleOf(const std::vector<double>& list)
 {
     if (list.size() != 3 || !std::ranges::all_of(list, [](double number) { return isSmall(float(number)); }))
         return std::nullopt;
-    return glm::vec3(list[0], list[1], list[2]);
+    return glm::dvec3(list[0], list[1], list[2]);
 }
 
 struct PathRow {
@@ -69,16 +69,16 @@ PoseNode poseNodeOf(const tinygltf::Node& from)
 {
     PoseNode node;
     if (from.matrix.size() == 16) {
-        glm::mat4 matrix(1.f);
+        glm::dmat4 matrix(1.0);
         for (int i = 0; i < 16; ++i)
-            matrix[i / 4][i % 4] = float(from.matrix[std::size_t(i)]);
+            matrix[i / 4][i % 4] = from.matrix[std::size_t(i)];
         node.matrix = matrix;
     }
     node.translation = tripleOf(from.translation).value_or(node.translation);
     node.scale = tripleOf(from.scale).value_or(node.scale);
     if (from.rotation.size() == 4) {
-        const glm::quat q(float(from.rotation[3]), float(from.rotation[0]), float(from.rotation[1]), float(from.rotation[2]));
-        if (const float square = glm::dot(q, q); square > 1e-12f && isSmall(square))
+        const glm::dquat q(from.rotation[3], from.rotation[0], from.rotation[1], from.rotation[2]);
+        if (const double square = glm::dot(q, q); square > 1e-12 && isSmall(float(square)))
             node.rotation = glm::normalize(q);
     }
     return node;
@@ -107,9 +107,12 @@ void GltfDeformation::orderNodes()
     for (std::size_t i = 0; i < count; ++i)
         if (!isChild[i])
             add(int(i), -1);
-    for (std::size_t done = 0; done < order.size(); ++done)
+    for (std::size_t done = 0; done < order.size(); ++done) {
+        const int parent = nodes[done].parent;
+        m_rest.push_back((parent < 0 ? glm::dmat4(1.0) : m_rest[std::size_t(parent)]) * localMatrix(nodes[done]));
         for (const int child : m_model.nodes[std::size_t(order[done])].children)
             add(child, int(done));
+    }
 }
 
 void GltfDeformation::readClips()

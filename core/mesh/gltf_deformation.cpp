@@ -6,21 +6,14 @@
 #include "core/mesh/gltf_primitive.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 namespace relievo {
 
 namespace {
-// Deltas of all targets together; each takes 48 bytes.
-constexpr std::size_t kMostDeltas = std::size_t(1) << 24;
 constexpr std::size_t kMostJoints = 0xffff;
-
-// Of a mesh with so many vertices; every target has a delta for each.
-std::size_t mostTargets(std::size_t vertices)
-{
-    return kMostDeltas / std::max(vertices, std::size_t(1));
-}
 
 bool isFinite(const glm::mat4& m)
 {
@@ -31,11 +24,10 @@ bool isFinite(const glm::mat4& m)
 }
 
 // The inverse of an affine matrix, or nothing for a flat one.
-std::optional<glm::mat4> inverseOf(const glm::mat4& matrix)
+std::optional<glm::dmat4> inverseOf(const glm::dmat4& matrix)
 {
-    const glm::dmat4 inverse = glm::inverse(glm::dmat4(matrix));
-    const glm::mat4 result(inverse);
-    return glm::determinant(glm::dmat3(matrix)) != 0.0 && isFinite(result) ? std::optional(result) : std::nullopt;
+    const glm::dmat4 inverse = glm::inverse(matrix);
+    return glm::determinant(glm::dmat3(matrix)) != 0.0 && isFinite(glm::mat4(inverse)) ? std::optional(inverse) : std::nullopt;
 }
 
 struct Pull {
@@ -90,15 +82,53 @@ GltfDeformation::GltfDeformation(const tinygltf::Model& model, std::string where
     readClips();
 }
 
+// The skin that moves the primitive, when it has one that can.
+std::optional<int> GltfDeformation::skinOf(const tinygltf::Primitive& primitive, int node, const glm::dmat4& world) const
+{
+    const int skin = node >= 0 ? m_model.nodes[std::size_t(node)].skin : -1;
+    const bool moves
+        = skin >= 0 && std::size_t(skin) < m_model.skins.size() && primitive.attributes.contains("JOINTS_0") && inverseOf(world);
+    return moves ? std::optional(skin) : std::nullopt;
+}
+
+// Those of its first joints that the file holds.
+std::vector<glm::dmat4> GltfDeformation::bindMatrices(const tinygltf::Skin& skin) const
+{
+    const Expected<std::vector<float>> numbers = skin.inverseBindMatrices >= 0 ? readFloats(m_model, skin.inverseBindMatrices, 16, m_where)
+                                                                               : Expected<std::vector<float>>(std::vector<float>());
+    std::vector<glm::dmat4> matrices;
+    for (std::size_t i = 0; numbers && i + 16 <= numbers->size(); i += 16)
+        matrices.emplace_back(glm::make_mat4(numbers->data() + i));
+    return matrices;
+}
+
+glm::dmat4 GltfDeformation::storedAt(const tinygltf::Primitive& primitive, int node, const glm::dmat4& world)
+{
+    constexpr double kFar = 1e4, kBeyondFloats = 1e14; // m
+    const std::optional<int> skin = skinOf(primitive, node, world);
+    if (!skin)
+        return world;
+    const auto [place, isNew] = m_skinPlaces.try_emplace(*skin, 0.0);
+    if (isNew) {
+        const tinygltf::Skin& used = m_model.skins[std::size_t(*skin)];
+        const std::vector<glm::dmat4> bind = bindMatrices(used);
+        const int joint = used.joints.empty() ? -1 : used.joints.front();
+        const int number = joint >= 0 && std::size_t(joint) < m_nodeNumbers.size() ? m_nodeNumbers[std::size_t(joint)] : -1;
+        if (number >= 0)
+            place->second = glm::dvec3(m_rest[std::size_t(number)] * (bind.empty() ? glm::dmat4(1.0) : bind.front())[3]);
+    }
+    glm::dmat4 stored = world;
+    if (const double distance = glm::distance(glm::dvec3(world[3]), place->second); distance > kFar && distance < kBeyondFloats)
+        stored[3] = glm::dvec4(place->second, 1.0);
+    return stored;
+}
+
 Expected<void> GltfDeformation::addPrimitive(
-    const tinygltf::Primitive& primitive, int node, const glm::mat4& world, std::size_t first, const RawMesh& raw)
+    const tinygltf::Primitive& primitive, int node, const glm::dmat4& world, std::size_t first, const RawMesh& raw)
 {
     const std::size_t count = raw.positions.size() - first;
-    const int skin = node >= 0 ? m_model.nodes[std::size_t(node)].skin : -1;
-    const bool isSkinned
-        = skin >= 0 && std::size_t(skin) < m_model.skins.size() && primitive.attributes.contains("JOINTS_0") && inverseOf(world);
-    if (isSkinned) {
-        if (Expected<void> added = addInfluences(primitive, skin, world, count); !added)
+    if (const std::optional<int> skin = skinOf(primitive, node, world)) {
+        if (Expected<void> added = addInfluences(primitive, *skin, world, count); !added)
             return added;
     } else {
         Influence rigid;
@@ -108,9 +138,9 @@ Expected<void> GltfDeformation::addPrimitive(
     return addTargets(primitive, node, world, first, raw);
 }
 
-std::uint16_t GltfDeformation::rigidJoint(int node, const glm::mat4& world)
+std::uint16_t GltfDeformation::rigidJoint(int node, const glm::dmat4& world)
 {
-    const std::optional<glm::mat4> fromMesh = inverseOf(world);
+    const std::optional<glm::dmat4> fromMesh = inverseOf(world);
     const int number = node < 0 ? -1 : m_nodeNumbers[std::size_t(node)];
     std::vector<Joint>& joints = m_raw.deformation.joints;
     if (!fromMesh || number < 0 || !m_animated[std::size_t(number)] || joints.size() >= kMostJoints)
@@ -122,32 +152,30 @@ std::uint16_t GltfDeformation::rigidJoint(int node, const glm::mat4& world)
 }
 
 // The skin's joints for a mesh placed by `world`, from the returned number on.
-std::uint16_t GltfDeformation::firstJointOf(int skinNumber, const glm::mat4& world)
+std::uint16_t GltfDeformation::firstJointOf(int skinNumber, const glm::dmat4& world)
 {
     for (const SkinUse& use : m_skins)
         if (use.skin == skinNumber && use.world == world)
             return use.firstJoint;
     const tinygltf::Skin& skin = m_model.skins[std::size_t(skinNumber)];
     const auto first = std::uint16_t(m_raw.deformation.joints.size());
-    const Expected<std::vector<float>> bind = skin.inverseBindMatrices >= 0 ? readFloats(m_model, skin.inverseBindMatrices, 16, m_where)
-                                                                            : Expected<std::vector<float>>(std::vector<float>());
+    const std::vector<glm::dmat4> bind = bindMatrices(skin);
     for (std::size_t j = 0; j < skin.joints.size() && m_raw.deformation.joints.size() < kMostJoints; ++j) {
         const int node = skin.joints[j];
         Joint joint;
         joint.node = node >= 0 && std::size_t(node) < m_nodeNumbers.size() ? m_nodeNumbers[std::size_t(node)] : -1;
-        glm::mat4 meshToJoint(1.f);
-        const bool hasMatrix = bind && bind->size() >= (j + 1) * 16;
-        for (int k = 0; hasMatrix && k < 16; ++k)
-            meshToJoint[k / 4][k % 4] = (*bind)[j * 16 + std::size_t(k)];
-        m_missingJoints += joint.node < 0 || !isFinite(meshToJoint) || (skin.inverseBindMatrices >= 0 && !hasMatrix);
-        joint.fromMesh = (isFinite(meshToJoint) ? meshToJoint : glm::mat4(1.f)) * *inverseOf(world);
+        const bool hasMatrix = j < bind.size();
+        const glm::dmat4 meshToJoint = hasMatrix ? bind[j] : glm::dmat4(1.0);
+        const bool isSound = isFinite(glm::mat4(meshToJoint));
+        m_missingJoints += joint.node < 0 || !isSound || (skin.inverseBindMatrices >= 0 && !hasMatrix);
+        joint.fromMesh = (isSound ? meshToJoint : glm::dmat4(1.0)) * *inverseOf(world);
         m_raw.deformation.joints.push_back(joint);
     }
     m_skins.push_back({skinNumber, world, first});
     return first;
 }
 
-Expected<void> GltfDeformation::addInfluences(const tinygltf::Primitive& primitive, int skin, const glm::mat4& world, std::size_t count)
+Expected<void> GltfDeformation::addInfluences(const tinygltf::Primitive& primitive, int skin, const glm::dmat4& world, std::size_t count)
 {
     std::vector<std::vector<float>> joints, weights; // of each set of four
     for (int set = 0; primitive.attributes.contains("JOINTS_" + std::to_string(set)) && set < 8; ++set) {
@@ -184,17 +212,17 @@ Expected<void> GltfDeformation::addInfluences(const tinygltf::Primitive& primiti
 }
 
 Expected<void> GltfDeformation::addTargets(
-    const tinygltf::Primitive& primitive, int node, const glm::mat4& world, std::size_t first, const RawMesh& raw)
+    const tinygltf::Primitive& primitive, int node, const glm::dmat4& world, std::size_t first, const RawMesh& raw)
 {
     const glm::mat3 linear(world);
     const Directions directions = directionsOf(world);
     const std::size_t count = raw.positions.size() - first;
     const bool hasNormals = raw.normals.size() >= count && !raw.corners.empty() && raw.corners.back().normal != RawMesh::kNone;
     for (std::size_t t = 0; node >= 0 && t < primitive.targets.size(); ++t) {
-        // Whole targets are left out, here and in finished(): the bound only falls while vertices are added.
+        // Whole targets are left out, here and in cutTargets(): the bound only falls while vertices are added.
         if (const auto known = m_targets.find({node, t});
             (known == m_targets.end() ? m_raw.deformation.targets.size() : known->second) >= mostTargets(raw.positions.size())) {
-            m_tooManyDeltas = true;
+            m_raw.isCut = true;
             continue;
         }
         const Expected<std::vector<float>> positions = readAttribute(m_model, primitive.targets[t], "POSITION", 3, count, m_where),
@@ -219,6 +247,13 @@ Expected<void> GltfDeformation::addTargets(
         }
         piece.target = targetOf(node, t);
         m_raw.pieces.push_back(std::move(piece));
+        m_heldDeltas += count;
+    }
+    if (m_heldDeltas > 2 * kMostDeltas) { // what was within the bound when it came may lie beyond it now
+        cutTargets(m_raw, raw.positions.size());
+        m_heldDeltas = 0;
+        for (const RawDeformation::Piece& piece : m_raw.pieces)
+            m_heldDeltas += piece.positions.size();
     }
     return {};
 }
@@ -256,15 +291,8 @@ std::optional<RawDeformation> GltfDeformation::finished(Warnings& warnings)
     for (const Row& row : rows)
         if (row.count > 0)
             warnings.push_back({row.code, std::to_string(row.count) + row.text});
-    std::vector<MorphTarget>& targets = m_raw.deformation.targets;
-    const std::size_t most = mostTargets(m_raw.deformation.influences.size());
-    if (m_tooManyDeltas || targets.size() > most) {
-        targets.resize(std::min(targets.size(), most));
-        std::erase_if(m_raw.pieces, [&](const RawDeformation::Piece& piece) { return piece.target >= targets.size(); });
-        warnings.push_back({"morph-too-large",
-            "The morph targets are too large together: only the first " + std::to_string(targets.size()) + " are kept."});
-    }
-    if (m_raw.deformation.clips.empty() && m_raw.pieces.empty() && m_skins.empty())
+    cutTargets(m_raw, m_raw.deformation.influences.size());
+    if (m_raw.deformation.clips.empty() && m_raw.pieces.empty() && m_skins.empty() && !m_raw.isCut)
         return std::nullopt;
     return std::move(m_raw);
 }

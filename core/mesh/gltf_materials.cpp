@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "core/mesh/gltf_document.h"
 #include "core/mesh/pictures.h"
+#include "core/state/parameters.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -117,9 +118,33 @@ private:
         }
         put(MapKind::AmbientOcclusion, textureOf(material.occlusionTexture), Channel::R);
         put(MapKind::Emission, textureOf(material.emissiveTexture));
+        readRelief(material);
         tellSpace();
         m_read.materials.push_back(std::move(m_material));
         m_read.spaces.push_back(m_space.value_or(TextureSpace()));
+    }
+
+    // Our own extension: what an export of this program wrote is read again.
+    void readRelief(const tinygltf::Material& material)
+    {
+        const auto found = material.extensions.find("RELIEVO_materials_relief");
+        if (found == material.extensions.end())
+            return;
+        const tinygltf::Value& extension = found->second;
+        put(MapKind::Height, textureIn(extension, "heightTexture"));
+        if (m_material.maps[std::size_t(MapKind::Height)].empty())
+            return;
+        MeshRelief relief{numberOf(member(extension, "depth"), 0.0), numberOf(member(extension, "midlevel"), 1.0), {}, {}};
+        if (const tinygltf::Value& technique = member(extension, "technique"); technique.IsString())
+            relief.technique = technique.Get<std::string>();
+        for (const ParameterRow& row : kParameters) {
+            const tinygltf::Value& value = member(extension, std::string(row.key).c_str());
+            if (row.group == Group::Search && value.IsBool())
+                relief.search.emplace_back(row.key, value.Get<bool>() ? 1.0 : 0.0);
+            else if (row.group == Group::Search && value.IsNumber())
+                relief.search.emplace_back(row.key, value.GetNumberAsDouble());
+        }
+        m_material.relief = std::move(relief);
     }
 
     void tellSpace()
@@ -130,8 +155,8 @@ private:
         if (m_transformsDiffer)
             m_read.warnings.push_back({"texture-transforms",
                 name
-                    + "scales or turns its pictures differently; all follow the first of base color, normal, roughness, occlusion, "
-                      "emission."});
+                    + "scales, turns or shifts its pictures differently; all follow the first of base color, normal, roughness, specular, "
+                      "occlusion and emission that it has."});
     }
 
     void put(MapKind kind, const Texture& texture, Channel channel = Channel::Rgb)

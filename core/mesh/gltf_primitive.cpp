@@ -76,7 +76,7 @@ glm::mat3 withLargest1(const glm::dmat3& matrix)
 }
 } // namespace
 
-Directions directionsOf(const glm::mat4& world)
+Directions directionsOf(const glm::dmat4& world)
 {
     const glm::dmat3 m(world);
     const bool mirrored = glm::determinant(m) < 0.0;

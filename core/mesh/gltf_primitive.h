@@ -32,7 +32,7 @@ struct Directions {
     glm::mat3 tangents, normals; // normals: they exist for flat scalings too
     bool mirrored;
 };
-Directions directionsOf(const glm::mat4& world);
+Directions directionsOf(const glm::dmat4& world);
 
 // An attribute of `count` rows of `components` numbers; empty where `attributes` does not hold it.
 Expected<std::vector<float>> readAttribute(const tinygltf::Model& model, const std::map<std::string, int>& attributes,

@@ -8,6 +8,7 @@
 #include "core/mesh/raw_mesh.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <set>
 
@@ -58,7 +59,7 @@ private:
     // Where a mesh stands in the scene.
     struct Place {
         int node; // -1: in none
-        glm::mat4 world;
+        glm::dmat4 world; // double: shared by what stands far from the origin
     };
 
     tl::unexpected<Error> damaged(std::string what) const { return failure(m_where, std::move(what), kDamaged); }
@@ -77,7 +78,7 @@ private:
         if (!m_model.meshes.empty())
             m_raw.warn("no-scene", "The file has meshes but no scene; all of them are shown at the origin.");
         for (std::size_t i = 0; i < m_model.meshes.size(); ++i)
-            if (Expected<void> added = addMesh(int(i), m_model.meshes[i].name, {-1, glm::mat4(1.f)}); !added)
+            if (Expected<void> added = addMesh(int(i), m_model.meshes[i].name, {-1, glm::dmat4(1.0)}); !added)
                 return added;
         return {};
     }
@@ -103,11 +104,11 @@ private:
     {
         struct Visit {
             int node;
-            glm::mat4 worldFromParent;
+            glm::dmat4 worldFromParent;
         };
         std::vector<Visit> open;
         for (const int root : roots())
-            open.push_back({root, glm::mat4(1.f)});
+            open.push_back({root, glm::dmat4(1.0)});
         std::reverse(open.begin(), open.end());
         std::vector<char> seen(m_model.nodes.size(), 0);
         while (!open.empty()) {
@@ -118,7 +119,7 @@ private:
             if (seen[std::size_t(visit.node)]++)
                 return damaged("node " + std::to_string(visit.node) + " has two parents or contains itself");
             const tinygltf::Node& node = m_model.nodes[std::size_t(visit.node)];
-            const glm::mat4 world = visit.worldFromParent * localMatrix(poseNodeOf(node));
+            const glm::dmat4 world = visit.worldFromParent * localMatrix(poseNodeOf(node));
             m_instanced += node.mesh >= 0 && node.extensions.contains("EXT_mesh_gpu_instancing");
             if (node.mesh >= 0 && vanishes(glm::mat3(world)))
                 ++m_vanished;
@@ -170,8 +171,9 @@ private:
             || m_withoutData > kMostWithoutData)
             return failure(m_where, "the scene has more vertices or triangles than can be held", "Split it, or show its meshes less often");
         tellUVSet(part.material, space.set, read->uvSet);
-        append(*read, space, place.world);
-        if (Expected<void> moves = m_deformation.addPrimitive(primitive, place.node, place.world, before, m_raw); !moves)
+        const glm::dmat4 world = m_deformation.storedAt(primitive, place.node, place.world);
+        append(*read, space, world);
+        if (Expected<void> moves = m_deformation.addPrimitive(primitive, place.node, world, before, m_raw); !moves)
             return moves;
         part.indexCount = std::uint32_t(read->indices.size());
         m_raw.parts.push_back(std::move(part));
@@ -191,7 +193,24 @@ private:
             m_raw.warn("uv-set", text);
     }
 
-    void append(const GltfPrimitive& from, const TextureSpace& space, const glm::mat4& world)
+    void appendPositions(const GltfPrimitive& from, const glm::dmat4& world)
+    {
+        const auto point = [&from](std::size_t i) { return glm::dvec3(from.points[i], from.points[i + 1], from.points[i + 2]); };
+        glm::dvec3 low(0.0), high(0.0);
+        for (std::size_t i = 0; i < from.points.size(); i += 3) {
+            low = i == 0 ? point(i) : glm::min(low, point(i));
+            high = i == 0 ? point(i) : glm::max(high, point(i));
+        }
+        const glm::dvec3 centre(world * glm::dvec4(0.5 * (low + high), 1.0)), half = 0.5 * (high - low);
+        const glm::dvec3 reach
+            = glm::abs(glm::dvec3(world[0])) * half.x + glm::abs(glm::dvec3(world[1])) * half.y + glm::abs(glm::dvec3(world[2])) * half.z;
+        const glm::dvec3 origin = originFor(centre - reach, centre + reach);
+        m_raw.origins.push_back({m_raw.positions.size(), origin});
+        for (std::size_t i = 0; i < from.points.size(); i += 3)
+            m_raw.positions.emplace_back(glm::dvec3(world * glm::dvec4(point(i), 1.0)) - origin);
+    }
+
+    void append(const GltfPrimitive& from, const TextureSpace& space, const glm::dmat4& world)
     {
         const Directions directions = directionsOf(world);
         const bool mirrored = directions.mirrored;
@@ -202,8 +221,7 @@ private:
         m_raw.normals.reserve(m_raw.normals.size() + from.normals.size() / 3);
         m_raw.uvs.reserve(m_raw.uvs.size() + from.uvs.size() / 2);
         m_raw.corners.reserve(m_raw.corners.size() + from.indices.size());
-        for (std::size_t i = 0; i < from.points.size(); i += 3)
-            m_raw.positions.emplace_back(world * glm::vec4(from.points[i], from.points[i + 1], from.points[i + 2], 1.f));
+        appendPositions(from, world);
         for (std::size_t i = 0; i < from.normals.size(); i += 3)
             m_raw.normals.push_back(directions.normals * glm::vec3(from.normals[i], from.normals[i + 1], from.normals[i + 2]));
         for (std::size_t i = 0; i < from.uvs.size(); i += 2)

@@ -12,8 +12,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace relievo {
@@ -36,11 +38,20 @@ struct MeshPart {
     float relief = 1.f; // share of the relief's depth on this part; 0: plain
 };
 
+// What a file written by this program says about its height map (RELIEVO_materials_relief).
+struct MeshRelief {
+    double depth = 0.0; // m, from black to white
+    double midlevel = 1.0;
+    std::string technique; // key; "" when not told
+    std::vector<std::pair<std::string, double>> search; // parameters by key, as the file has them
+};
+
 // A material as the mesh file describes it; parts refer to it by name.
 struct MeshMaterial {
     std::string name; // as MeshPart::material, each once
     // As State::slots takes them: files that exist, absolute. A picture inside a glTF file is "FILE#N", which readImage understands.
     MapSlots maps;
+    std::optional<MeshRelief> relief = {}; // with a height map in `maps`
 };
 
 struct Deformation; // pose.h
@@ -60,11 +71,8 @@ struct Mesh {
     Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped", "mesh-moved" (from far away) ...
 };
 
-// Whether `part` shows no relief: it has none, or another material's parts are chosen. chosen: State::part; a name that no part of the mesh
-// has (of another mesh) chooses none.
-bool isPlain(const Mesh& mesh, const MeshPart& part, std::string_view chosen);
-
-// The same for each of mesh.parts, in time that grows with their number and not with its square.
+// Which of mesh.parts show no relief: those that have none, and those of other materials than the chosen one. chosen: State::part; a name
+// that no part of the mesh has (of another mesh) chooses none.
 std::vector<char> plainParts(const Mesh& mesh, std::string_view chosen);
 
 // Shapes made by formula, largest size 1 m, centred (design.md section 3).

@@ -23,11 +23,6 @@ constexpr ReaderRow kReaders[] = {
     {".stl", readStl},
     {".off", readOff},
 };
-
-bool hasMaterial(const Mesh& mesh, std::string_view name)
-{
-    return std::ranges::find(mesh.parts, name, &MeshPart::material) != mesh.parts.end();
-}
 } // namespace
 
 Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress)
@@ -77,14 +72,9 @@ std::string meshJson(const Mesh& mesh)
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-bool isPlain(const Mesh& mesh, const MeshPart& part, std::string_view chosen)
-{
-    return part.relief == 0.f || (!chosen.empty() && part.material != chosen && hasMaterial(mesh, chosen));
-}
-
 std::vector<char> plainParts(const Mesh& mesh, std::string_view chosen)
 {
-    const bool known = !chosen.empty() && hasMaterial(mesh, chosen);
+    const bool known = !chosen.empty() && std::ranges::find(mesh.parts, chosen, &MeshPart::material) != mesh.parts.end();
     std::vector<char> plain;
     for (const MeshPart& part : mesh.parts)
         plain.push_back(part.relief == 0.f || (known && part.material != chosen));

@@ -38,39 +38,51 @@ constexpr KeywordRow kKeywords[] = {
     {"map_kn", MapKind::Normal},
 };
 
-// Options of a texture line; each is followed by `least` to `most` words, of which those beyond `least` are numbers.
+// Options of a texture line; each is followed by `least` to `most` words, of which those beyond `least` are numbers. -imfchan is followed
+// where it can be, -boost to -blendv only filter the picture, -type is of reflection maps.
 struct OptionRow {
     std::string_view option;
     int least, most;
-    float neutral; // the number that changes nothing; NaN: never told
+    std::string_view neutral; // the words that change nothing, the last one for all that follow; "": never told
+    std::string_view told, cure; // The material M `told` its picture; `cure`.
 };
-constexpr float kNever = std::numeric_limits<float>::quiet_NaN();
+constexpr std::string_view kWithout = "it is shown without";
 constexpr OptionRow kOptions[] = {
-    {"-s", 1, 3, 1.f},
-    {"-o", 1, 3, 0.f},
-    {"-t", 1, 3, 0.f},
-    {"-mm", 2, 2, kNever},
-    {"-bm", 1, 1, kNever}, // a strength: depth is the user's
-    {"-boost", 1, 1, kNever},
-    {"-texres", 1, 1, kNever},
-    {"-blendu", 1, 1, kNever},
-    {"-blendv", 1, 1, kNever},
-    {"-cc", 1, 1, kNever},
-    {"-clamp", 1, 1, kNever},
-    {"-imfchan", 1, 1, kNever},
-    {"-type", 1, 1, kNever},
+    {"-s", 1, 3, "1", "scales", "set tiling by hand"},
+    {"-o", 1, 3, "0", "shifts", "set the offset by hand"},
+    {"-t", 1, 3, "0", "gives turbulence to", kWithout},
+    {"-mm", 2, 2, "0 1", "changes the values of", kWithout},
+    {"-bm", 1, 1, "1", "sets the strength of", "set depth by hand"},
+    {"-clamp", 1, 1, "off", "does not repeat", "set wrap by hand"},
+    {"-cc", 1, 1, "off", "corrects the colors of", kWithout},
+    {"-imfchan", 1, 1, "", "", ""},
+    {"-boost", 1, 1, "", "", ""},
+    {"-texres", 1, 1, "", "", ""},
+    {"-blendu", 1, 1, "", "", ""},
+    {"-blendv", 1, 1, "", "", ""},
+    {"-type", 1, 1, "", "", ""},
 };
 
 struct TextureLine {
     std::string file;
     Channel channel = Channel::Rgb;
-    bool moved = false; // scaled, shifted or turbulent by its options
+    std::set<const OptionRow*> notFollowed; // in the order of kOptions
+    bool otherChannel = false; // matte or depth: -imfchan m or z
 };
 
 std::string_view spacesTrimmed(std::string_view text)
 {
     const std::size_t from = std::min(text.find_first_not_of(" \t\r"), text.size());
     return text.substr(from, text.find_last_not_of(" \t\r") + 1 - from);
+}
+
+bool isNeutral(const OptionRow& row, int at, std::string_view word)
+{
+    TextCursor neutrals(row.neutral);
+    std::string_view neutral = neutrals.word();
+    for (std::string_view next = neutrals.word(); at > 0 && !next.empty(); --at, next = neutrals.word())
+        neutral = next;
+    return neutral.empty() || lowered(word) == neutral || floatOf(word) == floatOf(neutral); // NaN equals nothing
 }
 
 // Options stand before the name, which is the rest of the line and may hold spaces.
@@ -89,10 +101,13 @@ TextureLine textureLine(std::string_view text)
             const float number = floatOf(word);
             if (i >= row->least && (std::isnan(number) || spacesTrimmed(one.rest()).empty()))
                 break; // the name begins
-            line.moved |= !std::isnan(row->neutral) && number != row->neutral;
+            if (!isNeutral(*row, i, word))
+                line.notFollowed.insert(row);
             constexpr std::string_view kChannels = "rgb";
             if (option == "-imfchan" && word.size() == 1 && kChannels.find(word) != kChannels.npos)
                 line.channel = Channel(kChannels.find(word));
+            else if (option == "-imfchan")
+                line.otherChannel = word != "l"; // luminance is what all three are read as
             ahead = one;
         }
         text = ahead.rest();
@@ -153,10 +168,14 @@ private:
         if (kind == MapKind::Opacity && slot.file == material.maps[std::size_t(MapKind::Color)].file)
             slot.channel = Channel::A; // a cut-out colour
         material.maps[std::size_t(kind)] = slot;
-        if (line.moved)
-            m_warnings.push_back({"map-options",
-                "The material \"" + material.name + "\" scales or shifts " + shownName(line.file)
-                    + "; set tiling by hand, these options are not followed."});
+        const auto tell = [&](std::string_view told, std::string_view cure) {
+            std::string text = "The material \"" + material.name + "\" ";
+            m_warnings.push_back({"map-options", text.append(told) + ' ' + shownName(line.file) + "; " + std::string(cure) + '.'});
+        };
+        for (const OptionRow* option : line.notFollowed)
+            tell(option->told, option->cure);
+        if (line.otherChannel && slot.channel == Channel::Rgb)
+            tell("takes another channel than red, green or blue of", "all are read");
     }
 
     std::vector<fs::path> m_folders;

@@ -91,7 +91,7 @@ void apply(const AnimationChannel& channel, float seconds, const Deformation& de
         break;
     case Animated::Rotation:
         if (const glm::quat q = quatOf(v); glm::dot(q, q) > 1e-12f)
-            node.rotation = glm::normalize(q);
+            node.rotation = glm::dquat(glm::normalize(q));
         break;
     case Animated::Weights:
         for (std::size_t t = 0, i = 0; t < deformation.targets.size() && i < v.size(); ++t)
@@ -127,12 +127,12 @@ Vertex moved(const Vertex& from, std::size_t at, const Deformation& deformation,
 }
 } // namespace
 
-glm::mat4 localMatrix(const PoseNode& node)
+glm::dmat4 localMatrix(const PoseNode& node)
 {
     if (node.matrix)
         return *node.matrix;
-    const glm::mat4 turn = glm::mat4_cast(node.rotation);
-    return glm::scale(glm::translate(glm::mat4(1.f), node.translation) * turn, node.scale);
+    const glm::dmat4 turn = glm::mat4_cast(node.rotation);
+    return glm::scale(glm::translate(glm::dmat4(1.0), node.translation) * turn, node.scale);
 }
 
 Pose bindPose(const Mesh& mesh)
@@ -155,13 +155,13 @@ Pose poseAt(const Mesh& mesh, int clip, float seconds)
     if (clip >= 0 && std::size_t(clip) < deformation.clips.size())
         for (const AnimationChannel& channel : deformation.clips[std::size_t(clip)].channels)
             apply(channel, std::isfinite(seconds) ? seconds : 0.f, deformation, nodes, pose);
-    std::vector<glm::mat4> worldFromNode(nodes.size());
+    const glm::dmat4 scene = glm::translate(glm::dmat4(1.0), -deformation.origin);
+    std::vector<glm::dmat4> worldFromNode(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        worldFromNode[i]
-            = nodes[i].parent < 0 ? localMatrix(nodes[i]) : worldFromNode[std::size_t(nodes[i].parent)] * localMatrix(nodes[i]);
+        worldFromNode[i] = (nodes[i].parent < 0 ? scene : worldFromNode[std::size_t(nodes[i].parent)]) * localMatrix(nodes[i]);
     for (std::size_t i = 0; i < pose.joints.size(); ++i) {
         const Joint& joint = deformation.joints[i];
-        const glm::mat4 matrix = joint.node < 0 ? glm::mat4(1.f) : worldFromNode[std::size_t(joint.node)] * joint.fromMesh;
+        const glm::mat4 matrix(joint.node < 0 ? glm::dmat4(1.0) : worldFromNode[std::size_t(joint.node)] * joint.fromMesh);
         pose.joints[i] = isFinite(matrix) ? matrix : glm::mat4(1.f);
     }
     return pose;

@@ -19,17 +19,17 @@ struct Influence {
 // A node of the file's scene, relative to its parent.
 struct PoseNode {
     int parent = -1; // into Deformation::nodes, always a smaller number
-    glm::vec3 translation{0.f}, scale{1.f};
-    glm::quat rotation{1.f, 0.f, 0.f, 0.f};
-    std::optional<glm::mat4> matrix; // instead of the three, when the file says so; never animated
+    glm::dvec3 translation{0.0}, scale{1.0}; // double: a node may stand far from the origin
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    std::optional<glm::dmat4> matrix; // instead of the three, when the file says so; never animated
 };
 
-glm::mat4 localMatrix(const PoseNode& node);
+glm::dmat4 localMatrix(const PoseNode& node);
 
 // Pose::joints[i] = world matrix of `node` * fromMesh, where fromMesh takes the mesh as it is stored to the space of the joint.
 struct Joint {
     int node = -1; // -1: never moves
-    glm::mat4 fromMesh{1.f};
+    glm::dmat4 fromMesh{1.0};
 };
 
 // What a morph target adds at weight 1 to one vertex of the mesh as stored; the UVs stay. m; the normal is made unit afterwards.
@@ -68,6 +68,7 @@ struct Deformation {
     std::vector<Joint> joints; // at least one
     std::vector<MorphTarget> targets;
     std::vector<PoseNode> nodes;
+    glm::dvec3 origin{0.0}; // m, of the mesh and its poses, as the nodes count
     std::vector<AnimationClip> clips;
 };
 

@@ -17,7 +17,14 @@ struct RawDeformation {
         std::vector<glm::vec3> positions, normals; // normals: of unit normals, may be empty
     };
     std::vector<Piece> pieces; // no two pieces of a target overlap
+    bool isCut = false; // targets were left out
 };
+
+// Every target has a delta, of 48 bytes, for each vertex; of all targets together 2^24 are kept.
+constexpr std::size_t kMostDeltas = std::size_t(1) << 24;
+std::size_t mostTargets(std::size_t vertices);
+// Leaves out whole targets, the last ones, until the rest fit for so many vertices.
+void cutTargets(RawDeformation& moves, std::size_t vertices);
 
 // Triangles whose corners name a position and perhaps a normal, UV and tangent, each in its own list (as OBJ does).
 struct RawMesh {
@@ -27,8 +34,12 @@ struct RawMesh {
     };
 
     std::string name;
-    std::vector<glm::vec3> positions, normals; // m, from `origin`; normals of any length
-    glm::dvec3 origin{0.0}; // m
+    std::vector<glm::vec3> positions, normals; // positions: m, from their origin; normals of any length
+    struct Origin { // of the positions from number `first` on, up to the next one's
+        std::size_t first = 0;
+        glm::dvec3 at{0.0}; // m
+    };
+    std::vector<Origin> origins{Origin()}; // ascending; one alone for all when the mesh is built
     std::vector<glm::vec2> uvs; // v runs down already
     std::vector<glm::vec4> tangents; // as glTF's
     std::vector<Corner> corners; // triples; every index lies within its list
@@ -48,6 +59,7 @@ struct RawMesh {
 
     // Chooses the origin by the first position when that is far from 0.
     void addPosition(glm::dvec3 position);
+    const glm::dvec3& originOf(std::size_t position) const;
 
     void warn(std::string code, std::string text) { warnings.push_back({std::move(code), std::move(text)}); }
 };
@@ -56,8 +68,11 @@ struct RawMesh {
 // large ones always become a fan; both are counted.
 void addPolygon(RawMesh& raw, std::span<const RawMesh::Corner> polygon);
 
-// Where the mesh is much farther from 0 than it is large its positions stay relative to `origin`, told as "mesh-moved"; else 0 is the
-// origin again. For positions that are finite.
+// What lies between low and high, m, is best stored relative to: 0, unless it is much farther from there than it is large.
+glm::dvec3 originFor(glm::dvec3 low, glm::dvec3 high);
+
+// One origin for all: where the mesh is much farther from 0 than it is large that of its first corner, told as "mesh-moved"; else 0. What
+// moves follows. For positions that are finite.
 void settleOrigin(RawMesh& raw);
 
 // The materials of the .mtl files that `names` (what follows "mtllib", one entry a line of the OBJ) lists. Missing or unreadable ones are
@@ -68,8 +83,9 @@ std::vector<MeshMaterial> readMtl(const std::filesystem::path& obj, std::span<co
 // where: the file, for errors.
 Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& progress);
 
-// The deformation of a finished mesh whose corner i was raw.corners[i]: influences by vertex, targets with all their deltas.
-std::shared_ptr<const Deformation> deformationOf(const Mesh& mesh, RawMesh& raw);
+// The deformation of a finished mesh whose corner i was raw.corners[i]: influences by vertex, targets with all their deltas. What
+// raw.moves holds is used up; targets that were left out are told in mesh.warnings, "morph-too-large".
+std::shared_ptr<const Deformation> deformationOf(Mesh& mesh, RawMesh& raw);
 
 // Readers by format. Errors name the file and the cure. Allocation stays in proportion to the size of the file.
 Expected<RawMesh> readGltf(const std::filesystem::path& file, const Progress& progress);

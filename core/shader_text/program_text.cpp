@@ -64,6 +64,12 @@ constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl",
 constexpr std::string_view kFrameFiles[] = {"frame_vertex.glsl", "frame_derivatives.glsl", "frame_thesis.glsl"};
 
 // Whether a view computes light.
+bool isAgainstExact(std::string_view view)
+{
+    const ViewRow* row = findView(view);
+    return row && row->isAgainstExact;
+}
+
 bool isLit(std::string_view view)
 {
     return view == "shaded" || view == "invalid";
@@ -86,7 +92,7 @@ void searchFiles(Assembly& part, const TechniqueRow& technique, const ProgramFea
 {
     const bool filtered = listHas(technique.maps, "height") && (!technique.isExact || features.coarser); // else no level is chosen by pixel
     part.file(filtered ? "heights_filtered.glsl" : "heights_none.glsl");
-    if (technique.isExact || (features.view == "error" && !features.onMesh)) {
+    if (technique.isExact || (isAgainstExact(features.view) && !features.onMesh)) {
         if (!filtered)
             part.file("level_base.glsl");
         part.file(features.clamps ? "edges_clamp.glsl" : "edges_repeat.glsl")
@@ -186,7 +192,7 @@ ProgramFeatures programFeatures(
     const TechniqueRow* row = findTechnique(technique);
     const bool lit = isLit(view);
     features.coarser = row && row->isExact && parameters.heightMips;
-    features.clamps = row && (row->isExact || view == "error") && parameters.wrap == 1;
+    features.clamps = row && (row->isExact || isAgainstExact(view)) && parameters.wrap == 1;
     features.shading = lit ? parameters.shading : 0;
     features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
     features.frames = parameters.frames;

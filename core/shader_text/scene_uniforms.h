@@ -26,6 +26,7 @@ struct SceneUniforms {
     float heatScale = 1.f; // of the view's value to [0, 1]
     glm::mat4 shadowFromWorld{1.f}; // clip space of the light's map
     float shadowTexel = 0.f; // its texel's size, m
+    float sampleTurn = 0.f; // of noise from sample to sample, share of a whole turn; 0 in a picture of one sample
 };
 
 using SceneMember = std::variant<float SceneUniforms::*, glm::vec2 SceneUniforms::*, glm::vec3 SceneUniforms::*, glm::mat2 SceneUniforms::*,
@@ -49,6 +50,7 @@ inline constexpr auto kSceneUniforms = std::to_array<SceneUniformRow>({
     {&SceneUniforms::heatScale, "heatScale"},
     {&SceneUniforms::shadowFromWorld, "shadowFromWorld"},
     {&SceneUniforms::shadowTexel, "shadowTexel"},
+    {&SceneUniforms::sampleTurn, "sampleTurn"},
 });
 
 // All of them for a view of the mesh; metresOfMesh is Mesh::metresPerUV.

@@ -31,6 +31,7 @@ struct Parameters { // the initialisers ARE the defaults
     bool doublePrecision = false;
     bool lastBracket = false;
     bool provenStep = false;
+    bool safeBalls = false;
     bool offsetLimiting = false;
     bool heightMips = true;
     // On the mesh
@@ -124,6 +125,10 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         "Off: halves all of the way, as printed in GPU Gems 3. On: only the step that went inside, which finds the right hit more often."},
     {&Parameters::provenStep, "provenStep", "Proven step", Group::Search, 0.f, 1.f, "", "technique", "",
         "Measures the ray by |du| + |dv|, which a bilinear surface cannot outrun, instead of by its length as in the paper."},
+    {&Parameters::safeBalls, "safeBalls", "Safe balls", Group::Search, 0.f, 1.f, "", "technique", "",
+        "Makes every ball smaller by half the diagonal of a voxel, by which the paper's interpolated distance may be too long: no step "
+        "leads "
+        "through the surface, and all end that much above it."},
     {&Parameters::offsetLimiting, "offsetLimiting", "Offset limiting", Group::Search, 0.f, 1.f, "", "technique", "",
         "Drops the division by the view's height (Welsh 2004): steadier at grazing views, but too shallow there."},
     {&Parameters::heightMips, "heightMips", "Coarser far away", Group::Search, 0.f, 1.f, "", "technique", "",

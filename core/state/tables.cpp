@@ -21,7 +21,8 @@ const ViewRow* findView(std::string_view key)
 
 float heatRange(const Parameters& parameters, std::string_view view)
 {
-    return view == "fetches" ? parameters.fetchRange : view == "error" ? parameters.errorRange : 1.f;
+    const ViewRow* row = findView(view);
+    return view == "fetches" ? parameters.fetchRange : row && row->isAgainstExact ? parameters.errorRange : 1.f;
 }
 
 } // namespace relievo

@@ -85,6 +85,11 @@ struct Machine : Parameters {
             value[c] = at.of([&](ivec2 texel) { return image.value(texel.x, texel.y, c); });
         return value;
     }
+    vec3 volumeVoxels() const
+    {
+        const Image& image = boundMap->levels.front();
+        return {float(image.width), float(image.height / boundMap->slices), float(boundMap->slices)};
+    }
     float distanceAt(vec3 at) const
     {
         bytes += boundBytes;

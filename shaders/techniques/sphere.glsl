@@ -6,13 +6,15 @@
 Hit trace(Ray ray)
 {
     float speed = sqrt(dot(ray.duv, ray.duv) + 0.0625f * depthRate() * depthRate()); // of the ray in that metric
+    vec3 voxels = volumeVoxels();
+    float tooLong = safeBalls ? 0.5f * length(vec3(1.0f / voxels.x, 1.0f / voxels.y, 0.25f / voxels.z)) : 0.0f;
     float t = 0.0f;
     int leaps = 0;
     while (leaps < leapSteps && t < ray.end) {
         vec2 uv = ray.uv + ray.duv * t;
         float root = distanceAt(vec3(uv.x, uv.y, t - bendFrom(t).x));
         ++leaps;
-        float leap = root * root * boundScale().x / speed;
+        float leap = (root * root * boundScale().x - tooLong) / speed;
         if (!(leap > 1e-5f))
             break;
         t += leap;

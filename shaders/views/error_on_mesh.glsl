@@ -7,6 +7,6 @@ float viewValue(Surface surface)
     float exact = texelFetch(exactMap, ivec2(gl_FragCoord.xy), 0).x;
     if (exact < 0.0f)
         return 0.0f; // the back of an open mesh, which has no relief of its own
-    float across = clamp(dot(textureFrame().normal, surface.toEye), 0.0f, 1.0f);
+    float across = clamp(dot(surface.start.normal, surface.toEye), 0.0f, 1.0f);
     return min(abs(distance(surface.point, eye) - exact) * across / max(surface.depth, 1e-9f), 1.0f);
 }

@@ -320,7 +320,24 @@ TEST(Report, CsvIsRectangular)
         columns = lines++ ? columns : commas;
         EXPECT_EQ(commas, columns) << line;
     }
-    EXPECT_EQ(lines, 1 + report.rows.size() + report.pictures.size());
+    EXPECT_EQ(lines, 1 + report.rows.size() + report.pictures.size() + report.mesh.rows.size());
+}
+
+TEST(Report, CsvHoldsTheMesh)
+{
+    Report report = reportOf(planOf({"relief"}, {"needles"}));
+    report.mesh.name = "Box";
+    report.mesh.rows = {{"no, silhouettes", 0.25, 1.5, 3., 1.}, {"prisms", 0.125, 0.5, 0., std::nan("")}};
+    const std::string csv = reportCsv(report);
+    const auto commas = [&](const std::string& from, const std::string& to) { // between two columns
+        const std::size_t at = csv.find(from);
+        return std::string(
+            std::size_t(std::count(csv.begin() + std::ptrdiff_t(at), csv.begin() + std::ptrdiff_t(csv.find(to, at)), ',')), ',');
+    };
+    ASSERT_TRUE(csv.substr(0, csv.find('\n')).ends_with(",coveragePercent,depthRmsePixels,invalidPixels"));
+    const std::string before = ",mesh" + commas("view", "msRatio"), after = commas("msRatio", "coveragePercent");
+    EXPECT_NE(csv.find(",\"no, silhouettes\",Box" + before + '1' + after + "25,1.5,3\n"), csv.npos) << csv;
+    EXPECT_NE(csv.find(",prisms,Box" + before + after + "12.5,0.5,0\n"), csv.npos) << csv;
 }
 
 TEST(Report, HtmlIsWholeAndSelfContained)

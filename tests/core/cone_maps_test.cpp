@@ -5,8 +5,11 @@
 #include "core/maps/maps.h"
 #include "core/maps/relaxed_cell.h"
 #include "tests/core/maps_support.h"
+#include <atomic>
+#include <chrono>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <thread>
 
 using namespace relievo;
 using namespace relievo::test;
@@ -292,4 +295,51 @@ TEST(ConeMapsAtLarge, CancelledIsAnError)
     const auto map = bakeMap(*findMap("cone-relaxed"), field, Parameters(), progress);
     ASSERT_FALSE(map);
     EXPECT_EQ(map.error().what, "cancelled");
+}
+
+// Whenever the wish to stop comes there is no half-made map: before the work, at its first and at its last report, or in what follows.
+TEST(ConeMapsAtLarge, CancelledAtAnyTimeIsAnErrorForEveryMap)
+{
+    const HeightField field = hardField(kHardFields[1], 48, 48);
+    for (const MapRow& row : kMaps) {
+        if (!row.bake)
+            continue;
+        std::stop_source before;
+        before.request_stop();
+        const auto none = bakeMap(row, field, Parameters(), {{}, before.get_token()});
+        ASSERT_FALSE(none) << row.key;
+        EXPECT_EQ(none.error().what, "cancelled") << row.key;
+        for (const float when : {0.f, 1.f}) {
+            std::stop_source stop;
+            const auto map
+                = bakeMap(row, field, Parameters(), {[&](float share) { share >= when ? stop.request_stop() : false; }, stop.get_token()});
+            EXPECT_EQ(map.has_value(), !stop.stop_requested()) << row.key;
+        }
+    }
+}
+
+// The last steps report nothing: there the wish comes from another thread, sooner or later.
+TEST(ConeMapsAtLarge, CancelledInTheLastStepLeavesNoHalfMap)
+{
+    const HeightField field = fieldOf(256, 256, [](int x, int y) { return x == 3 && y == 5 ? 1.f : 0.f; });
+    for (const char* key : {"cone-robust", "distance"}) {
+        const MapRow& row = *findMap(key);
+        const BakedMap whole = *bakeMap(row, field, Parameters());
+        for (int delay = 0; delay < 12; ++delay) { // 0.2 ms
+            std::stop_source stop;
+            std::atomic<bool> begun = key == std::string_view("distance"); // its columns come first
+            std::jthread other([&] {
+                while (!begun)
+                    std::this_thread::yield();
+                std::this_thread::sleep_for(std::chrono::microseconds(200 * delay));
+                stop.request_stop();
+            });
+            const auto map = bakeMap(row, field, Parameters(), {[&](float share) { begun = begun || share >= 1.f; }, stop.get_token()});
+            begun = true;
+            if (map)
+                EXPECT_TRUE(map->levels[0].data == whole.levels[0].data) << key << ' ' << delay;
+            else
+                EXPECT_EQ(map.error().what, "cancelled");
+        }
+    }
 }

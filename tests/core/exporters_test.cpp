@@ -7,6 +7,7 @@
 #include "core/image/image_file.h"
 #include "core/image/samples.h"
 #include "core/state/state_json.h"
+#include "tests/core/refused_memory.h"
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -166,6 +167,37 @@ TEST_F(Export, WhatWasOpenedIsNeverWrittenOver)
     EXPECT_FALSE(run("gltf", "set/a.glb"));
 }
 
+// However many names beside the .glb the material's own files have.
+TEST_F(Export, TheHeightMapBesideTakesAFreeName)
+{
+    ASSERT_TRUE(run("textures", "set"));
+    const fs::path folder = m_folder / "set";
+    const std::pair<MapKind, const char*> taken[] = {{MapKind::Height, "a_height.png"}, {MapKind::Color, "a_glb_height.png"},
+        {MapKind::Roughness, "a_relievo_height.png"}, {MapKind::Metallic, "a_glb2_height.png"}, {MapKind::Normal, "a_glb3_height.png"}};
+    for (const auto& [kind, name] : taken) {
+        fs::copy_file(folder / "HammeredMetal_Height.png", folder / name);
+        m_state.slots[std::size_t(kind)].file = (folder / name).string();
+    }
+    const std::string before = *readText(folder / "a_height.png");
+    const Expected<Exported> exported = run("gltf", "set/a.glb", 16);
+    ASSERT_TRUE(exported) << message(exported.error());
+    EXPECT_EQ(exported->files[1].filename(), "a_glb4_height.png");
+    for (const auto& [kind, name] : taken)
+        EXPECT_TRUE(*readText(folder / name) == before) << name;
+}
+
+TEST_F(Export, AMeshThatDoesNotMoveIsNotCopied)
+{
+    if (!test::kMemoryCanBeRefused)
+        GTEST_SKIP();
+    m_state.mesh = "torus";
+    const Expected<Resources> resources = loadResources(m_state, {}, {});
+    ASSERT_TRUE(resources);
+    const std::size_t bytes = resources->mesh->vertices.size() * sizeof(Vertex);
+    const test::RefusedMemory refused(bytes, bytes + 1);
+    EXPECT_TRUE(findExport("gltf")->run({m_state, *resources, m_folder / "a.glb", 0, {}}));
+}
+
 TEST_F(Export, PlainPartsStayPlainAndWithoutColorIsGrey)
 {
     m_state.mesh = "spheres";
@@ -176,8 +208,9 @@ TEST_F(Export, PlainPartsStayPlainAndWithoutColorIsGrey)
     const Mesh mesh = *openMesh("spheres");
     const json& primitives = document["meshes"][0]["primitives"];
     ASSERT_EQ(primitives.size(), mesh.parts.size());
+    const std::vector<char> plain = plainParts(mesh, "");
     for (std::size_t i = 0; i < mesh.parts.size(); ++i)
-        EXPECT_EQ(primitives[i]["material"], isPlain(mesh, mesh.parts[i], "") ? 1 : 0) << i;
+        EXPECT_EQ(primitives[i]["material"], int(plain[i])) << i;
     ASSERT_EQ(document["materials"].size(), 2u);
     EXPECT_FALSE(document["materials"][1].contains("normalTexture"));
     EXPECT_EQ(document["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"], json::array({0.4, 0.2, 0., 1.}));

@@ -6,11 +6,15 @@
 #include "core/maps/search_texture.h"
 #include "tests/core/image_support.h"
 #include "tests/core/maps_support.h"
-#include <atomic>
+#include "tests/core/refused_memory.h"
 #include <cstdlib>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/fs.h>
 #include <new>
 #include <set>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 using namespace relievo;
 using namespace relievo::test;
@@ -216,6 +220,55 @@ TEST(MapCache, OnlyFilesOfTheCacheMakeRoom)
         EXPECT_TRUE(fs::exists(file)) << file;
 }
 
+namespace {
+// Keeps a file from being removed while it lives, also by root; `works` is false where the file system or the user may not.
+struct Unremovable {
+    int file;
+    int before = 0;
+    bool works = false;
+    explicit Unremovable(const fs::path& path) : file(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+    {
+        int flags = 0;
+        works = file >= 0 && ::ioctl(file, FS_IOC_GETFLAGS, &before) == 0
+            && (flags = before | FS_IMMUTABLE_FL, ::ioctl(file, FS_IOC_SETFLAGS, &flags) == 0);
+    }
+    Unremovable(const Unremovable&) = delete;
+    Unremovable& operator=(const Unremovable&) = delete;
+    ~Unremovable()
+    {
+        if (works)
+            ::ioctl(file, FS_IOC_SETFLAGS, &before);
+        if (file >= 0)
+            ::close(file);
+    }
+};
+} // namespace
+
+TEST(MapCache, AFileThatCannotBeRemovedStillCounts)
+{
+    TemporaryFolder folder;
+    const BakedMap map = pyramid();
+    const std::uintmax_t size = packedMap("0", map).size();
+    keepOnDisk(folder.path(), "0", map);
+    const fs::path oldest = filesIn(folder.path()).front();
+    fs::last_write_time(oldest, fs::last_write_time(oldest) - std::chrono::hours(1));
+    {
+        const Unremovable kept(oldest);
+        if (!kept.works)
+            GTEST_SKIP() << "files cannot be made unremovable here";
+        keepOnDisk(folder.path(), "1", map);
+        for (const fs::path& file : filesIn(folder.path()))
+            if (file != oldest)
+                fs::last_write_time(file, fs::last_write_time(file) - std::chrono::minutes(1));
+        keepOnDisk(folder.path(), "2", map, 2 * size);
+        EXPECT_TRUE(fs::exists(oldest));
+        EXPECT_EQ(filesIn(folder.path()).size(), 2u) << "the next oldest makes room instead";
+        EXPECT_TRUE(mapOnDisk(folder.path(), "2"));
+    }
+    keepOnDisk(folder.path(), "3", map, size);
+    EXPECT_EQ(filesIn(folder.path()).size(), 1u);
+}
+
 TEST(MapCache, AMapWhoseFileExceedsTheRoomIsNotWritten)
 {
     TemporaryFolder folder;
@@ -242,16 +295,6 @@ TEST(SearchTexture, AVolumeIsBakedOnceForAllHeightLevels)
 
 // The sanitizers bring their own operator new.
 #ifndef __SANITIZE_ADDRESS__
-namespace {
-std::atomic<std::size_t> refusedFrom = 0, refusedTo = 0; // sizes in bytes; none at first
-
-// No memory for blocks of [from, to) bytes while it lives.
-struct RefusedMemory {
-    RefusedMemory(std::size_t from, std::size_t to) { refusedFrom = from, refusedTo = to; }
-    ~RefusedMemory() { refusedFrom = refusedTo = 0; }
-};
-} // namespace
-
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
     void* block = size >= refusedFrom && size < refusedTo ? nullptr : std::malloc(std::max<std::size_t>(size, 1));

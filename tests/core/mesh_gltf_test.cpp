@@ -138,6 +138,30 @@ TEST(MeshGltfMorph, WhatIsTooLargeLosesWholeTargets)
             ASSERT_EQ(target.deltas[mesh->indices[i]].position, glm::vec3(0.f, 1.f, 0.f)) << i;
 }
 
+// A small file whose triangles, flat without normals, share 255 positions: its vertices are many more, and each has a delta.
+TEST(MeshGltfMorph, VerticesThatAreMadeCountAsWell)
+{
+    GltfBuffer buffer;
+    std::mt19937 random(3);
+    std::vector<float> points(3 * 255);
+    for (float& coordinate : points)
+        coordinate = float(random() % 1000);
+    std::vector<std::uint8_t> corners(3 * 15000);
+    for (std::uint8_t& corner : corners)
+        corner = std::uint8_t(random() % 255);
+    const int at = buffer.floats(points, "VEC3", 3), indices = buffer.accessor(corners, 5121, "SCALAR", 1);
+    std::string targets = "{}";
+    for (int t = 1; t < 500; ++t)
+        targets += ",{}";
+    const Expected<Mesh> mesh = opened("a.gltf",
+        buffer.file(kScene + "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"indices\":" + std::to_string(indices)
+            + ",\"attributes\":{\"POSITION\":" + std::to_string(at) + "},\"targets\":[" + targets + "]}]}],"));
+    ASSERT_TRUE(mesh) << message(mesh.error());
+    EXPECT_TRUE(told(*mesh, "morph-too-large"));
+    EXPECT_GT(mesh->vertices.size(), 40000u);
+    EXPECT_EQ(mesh->deformation->targets.size(), (1u << 24) / mesh->vertices.size());
+}
+
 TEST(MeshGltfDocument, BinaryChunksEndWithinTheFile)
 {
     EXPECT_TRUE(opened("a.glb", glb(0)));

@@ -37,7 +37,7 @@ TEST(MeshMaterials, MtlNamesBecomeSlots)
 {
     const Scratch scratch;
     const Expected<Mesh> mesh = withMaterial(scratch,
-        "newmtl stone\nmap_Kd -s 1 1 1 my stone 2.png\nmap_Bump -bm 0.2 stone_bump.png\nmap_Pr -imfchan g packed.png\nmap_d my stone "
+        "newmtl stone\nmap_Kd -s 1 1 1 my stone 2.png\nmap_Bump -bm 1.000000 stone_bump.png\nmap_Pr -imfchan g packed.png\nmap_d my stone "
         "2.png\n"
         "newmtl other\nmap_bump other_normal_dx.png\n",
         {"my stone 2.png", "stone_bump.png", "packed.png", "other_normal_dx.png"});
@@ -54,6 +54,30 @@ TEST(MeshMaterials, MtlNamesBecomeSlots)
     EXPECT_TRUE(slot(other, MapKind::Normal).invert); // DirectX style, as its name says
     EXPECT_FALSE(told(*mesh, "map-missing"));
     EXPECT_FALSE(told(*mesh, "map-options"));
+}
+
+// Each option that changes the picture in its own words, and none that only filters it or changes nothing.
+TEST(MeshMaterials, EachTextureOptionIsTold)
+{
+    const std::pair<const char*, const char*> options[] = {{"-s 2 1 1", "scales a.png; set tiling"}, {"-s 1 1 2", "scales a.png"},
+        {"-o 0.5", "shifts a.png; set the offset"}, {"-t 0 0.1", "gives turbulence to a.png"}, {"-mm 0 2", "changes the values of a.png"},
+        {"-mm 1 1", "changes the values of a.png"}, {"-bm 0.2", "sets the strength of a.png; set depth"},
+        {"-clamp on", "does not repeat a.png; set wrap"}, {"-cc on", "corrects the colors of a.png"},
+        {"-imfchan m", "takes another channel"}, {"-s 1 1 1", ""}, {"-o 0 0", ""}, {"-t 0", ""}, {"-mm 0 1", ""}, {"-bm 1.0", ""},
+        {"-clamp off", ""}, {"-CLAMP OFF", ""}, {"-cc off", ""}, {"-imfchan l", ""}, {"-imfchan r", ""}, {"-boost 2", ""},
+        {"-texres 512", ""}, {"-blendu off", ""}, {"-type sphere", ""}};
+    for (const auto& [option, told] : options) {
+        const Scratch scratch;
+        const Expected<Mesh> mesh = withMaterial(scratch, std::string("newmtl stone\nmap_Bump ") + option + " a.png\n", {"a.png"});
+        ASSERT_TRUE(mesh) << option;
+        EXPECT_FALSE(slot(mesh->materials[0], MapKind::Height).empty()) << option;
+        std::string text;
+        for (const Warning& warning : mesh->warnings)
+            if (warning.code == "map-options")
+                text += warning.text;
+        EXPECT_NE(text.find(told), text.npos) << option << ": " << text;
+        EXPECT_EQ(text.empty(), std::string_view(told).empty()) << option << ": " << text;
+    }
 }
 
 TEST(MeshMaterials, PathsOfOtherMachinesAreFollowedBesideTheMesh)
@@ -199,7 +223,9 @@ TEST(MeshMaterials, DifferentTransformsAreTold)
         texturedQuad(
             "{\"pbrMetallicRoughness\":{\"baseColorTexture\":" + transformed(R"({"scale":[2,2]})") + "},\"normalTexture\":{\"index\":0}}"));
     ASSERT_TRUE(mesh);
-    EXPECT_TRUE(told(*mesh, "texture-transforms"));
+    const auto warning = std::ranges::find(mesh->warnings, "texture-transforms", &Warning::code);
+    ASSERT_NE(warning, mesh->warnings.end());
+    EXPECT_NE(warning->text.find("scales, turns or shifts"), std::string::npos) << warning->text;
     EXPECT_NEAR(mesh->metresPerUV, 0.5f, 1e-5f);
 }
 

@@ -27,8 +27,14 @@ const HeightField kGround(10, 5, std::vector<float>(50, 0.5f));
 
 HitErrors compared(std::vector<SearchHit> hits, glm::dvec2 duv = {1., 0.})
 {
-    const std::vector<SearchRay> rays(hits.size(), SearchRay{{0.1, 0.1}, duv, 0.5});
-    const std::vector<SearchHit> exact(hits.size(), hitAt(0.5));
+    const SearchRay ray{{0.1, 0.1}, duv, 0.5};
+    for (SearchHit& hit : hits)
+        if (std::isfinite(hit.uv.x))
+            hit.uv = ray.uv + ray.duv * hit.t;
+    const std::vector<SearchRay> rays(hits.size(), ray);
+    SearchHit right = hitAt(0.5);
+    right.uv = ray.uv + ray.duv * right.t;
+    const std::vector<SearchHit> exact(hits.size(), right);
     return compareHits(kGround, rays, hits, exact);
 }
 
@@ -133,7 +139,7 @@ TEST(Metrics, TiesAreCountedApart)
     const auto errorsFor = [&](double clearance) {
         const double t = 0.5 + clearance; // height 0.5 - clearance at the crest
         const SearchRay rays[] = {{{4.5 / 8. - 0.5 * t, 0.3}, {0.5, 0.}, 0.5}};
-        const SearchHit exact[] = {exactHit(field, rays[0])}, hits[] = {hitAt(1.)};
+        const SearchHit exact[] = {exactHit(field, rays[0])}, hits[] = {{true, 1., rays[0].uv + rays[0].duv, 1}};
         EXPECT_LT(exact[0].t, 0.6);
         return compareHits(field, rays, hits, exact);
     };
@@ -153,6 +159,21 @@ TEST(Metrics, TiesDoNotDiluteTheOthers)
     const HitErrors both = together(std::vector<HitErrors>{tie, error});
     EXPECT_DOUBLE_EQ(both.rmse, 0.2);
     EXPECT_DOUBLE_EQ(both.rmseTexels, 4.);
+}
+
+// Offset limiting shifts the texture less than the depth it finds would.
+TEST(Metrics, SidewaysCountsWhereTheTextureIsRead)
+{
+    const SearchRay ray{{0.1, 0.1}, {20., 0.}, 0.05};
+    Parameters limited;
+    limited.offsetLimiting = true;
+    const auto errorsOf = [&](const Parameters& parameters) {
+        return compareHits(
+            kGround, {&ray, 1}, *traceRays("parallax", parameters, &kGround, {&ray, 1}), std::vector{exactHit(kGround, ray)});
+    };
+    EXPECT_NEAR(errorsOf({}).largestTexels, 0., 1e-4); // flat ground: right at any view
+    EXPECT_NEAR(errorsOf(limited).largestTexels, 0.95 * 100., 1e-3); // of 10 tiles of 10 texels only the share cosView
+    EXPECT_NEAR(errorsOf(limited).largest, 0., 1e-6);
 }
 
 TEST(Metrics, RaisingTheSurfaceIsExact)

@@ -190,7 +190,7 @@ TEST(TextureSetNames, NearlyEqualStemsAreOneSet)
 TEST(TextureSetNames, TheLetterAIsVagueAndWantsAColor)
 {
     using Files = std::vector<std::filesystem::path>;
-    EXPECT_TRUE(guessFromName("pipes_a").vague);
+    EXPECT_EQ(guessFromName("pipes_a").vague, 'a');
     EXPECT_FALSE(guessFromName("pipes_d").vague);
     const auto first = [](const Files& files) { return groupFiles(files)[0]; };
     EXPECT_TRUE(first({"pipes_a.png", "pipes_d.png", "pipes_n.png"}).holds(MapKind::Emission));
@@ -260,6 +260,47 @@ TEST(TextureSetNames, TheLetterBIsColorBesideMegascansPackedMaps)
     const auto first = [](const std::vector<std::filesystem::path>& files) { return groupFiles(files)[0]; };
     EXPECT_TRUE(first({"T_Rock_B.png", "T_Rock_N.png", "T_Rock_ORDp.png"}).holds(MapKind::Color));
     EXPECT_FALSE(first({"T_Rock_B.png", "T_Rock_N.png", "T_Rock_H.png"}).holds(MapKind::Color));
+}
+
+TEST(TextureSetNames, PoliigonsReflectionIsSpecular)
+{
+    std::vector<std::filesystem::path> files;
+    for (const char* kind : {"COL_VAR1", "DISP", "GLOSS", "NRM", "REFL"})
+        files.push_back("Bricks01_" + std::string(kind) + "_3K.jpg");
+    const std::vector<FileGroup> groups = groupFiles(files);
+    ASSERT_EQ(groups.size(), 1u);
+    EXPECT_EQ(groups[0].kinds(), 5);
+    EXPECT_TRUE(groups[0].holds(MapKind::Specular));
+}
+
+// Archicad's catalogue: c colour, dp displacement, ro roughness.
+TEST(TextureSetNames, TheLettersOfArchicad)
+{
+    const auto first = [](const std::vector<std::filesystem::path>& files) { return groupFiles(files)[0]; };
+    const FileGroup set = first({"Brick c.jpg", "Brick dp.jpg", "Brick n.jpg", "Brick ro.jpg"});
+    EXPECT_EQ(set.stem, "brick");
+    for (const MapKind kind : {MapKind::Color, MapKind::Height, MapKind::Normal, MapKind::Roughness})
+        EXPECT_TRUE(set.holds(kind)) << int(kind);
+    EXPECT_TRUE(guessFromName("Brick_dp").weak && guessFromName("Brick_ro").weak);
+    EXPECT_EQ(guessFromName("Brick_DP").convention, Convention::Height);
+    EXPECT_TRUE(first({"rock_C.png", "rock_N.png"}).holds(MapKind::Color));
+    EXPECT_TRUE(first({"rock_C.png", "rock_Height.png"}).holds(MapKind::Color));
+}
+
+TEST(TextureSetNames, TheLetterCMayNumberTakes)
+{
+    using Files = std::vector<std::filesystem::path>;
+    const auto holdsColor = [](const Files& files) {
+        return std::ranges::any_of(groupFiles(files), [](const FileGroup& group) { return group.holds(MapKind::Color); });
+    };
+    EXPECT_FALSE(holdsColor({"vitamin_c.png"}));
+    EXPECT_FALSE(holdsColor({"rock_a.png", "rock_b.png", "rock_c.png"}));
+    EXPECT_FALSE(holdsColor({"rock_a.png", "rock_b.png", "rock_c.png", "rock_height.png"}));
+    EXPECT_FALSE(holdsColor({"rock_c.png", "rock_roughness.png"}));
+    const Files both = {"rock_c.png", "rock_color.png", "rock_normal.png"};
+    EXPECT_FALSE(groupFiles(both)[0].contains("rock_c.png") && groupFiles(both)[0].kinds() != 2);
+    const Files takes = {"rock_c.png", "rock_c_normal.png", "rock_c_height.png"};
+    EXPECT_EQ(groupFiles(takes)[0].stem, "rock_c");
 }
 
 TEST(TextureSetNames, ResolutionsAreKept)

@@ -4,6 +4,7 @@
 #include "core/file.h"
 #include "tests/core/image_support.h"
 #include "tests/program/run.h"
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -194,6 +195,44 @@ TEST(BadInput, DevicesAreWrittenToNotReplaced)
     EXPECT_EQ(runRelievo(trace + (folder / "link.csv")).exitCode, 0);
     EXPECT_TRUE(fs::is_symlink(folder / "link.csv"));
     EXPECT_NE(readAll(folder / "target.csv"), "old");
+}
+
+TEST(BadInput, OutputThatCannotBeWrittenIsNoSuccess)
+{
+    for (const char* command : {"describe --json", "info sample:bricks@64 --json", "render --help", "--version"}) {
+        const ProgramRun run = runRelievo(std::string(command) + " > /dev/full");
+        EXPECT_EQ(run.exitCode, 1) << command;
+        EXPECT_TRUE(run.err.starts_with("relievo: error: the output could not be written")) << run.err;
+    }
+    EXPECT_EQ(runRelievo("describe | head -c 10").err, ""); // who closes the pipe has what was wanted
+}
+
+// A map of a set that cannot be read is left out with a warning; one that was asked for by name is not.
+TEST(BadInput, MapsByHandThatCannotBeReadEndTheCommand)
+{
+    TestFolder folder("by_hand");
+    write(folder / "rock_height.png", noiseImage(32, 32, 1, PixelType::U8));
+    write(folder / "whole.png", noiseImage(32, 32, 3, PixelType::U8));
+    writeAll(folder / "broken.png", readAll(folder / "whole.png").substr(0, 200));
+    for (const char* map : {"color", "normal", "height", "roughness"})
+        expectRefused(runRelievo("render " + (folder / "rock_height.png") + " --" + map + ' ' + (folder / "broken.png")
+                          + " --quiet --size 16x16 --samples 1 -o " + (folder / "x.png")),
+            "broken.png");
+    EXPECT_FALSE(fs::exists(folder / "x.png"));
+}
+
+TEST(BadInput, WrongEnvironmentIsTold)
+{
+    for (const auto& [variable, value] : {std::pair{"RELIEVO_THREADS", "abc"}, {"RELIEVO_THREADS", "0"}, {"RELIEVO_THREADS", "2x"},
+             {"RELIEVO_SHADERS", "/nonexistent"}, {"RELIEVO_CACHE", "/proc/nope"}}) {
+        const char* old = std::getenv(variable);
+        const std::string before = old ? old : "";
+        setenv(variable, value, 1);
+        const ProgramRun run = runRelievo("describe --json");
+        old ? setenv(variable, before.c_str(), 1) : unsetenv(variable);
+        EXPECT_EQ(run.exitCode, 0) << variable;
+        EXPECT_EQ(run.err.rfind("relievo: warning: " + std::string(variable) + '=' + value + ' ', 0), 0u) << run.err;
+    }
 }
 
 TEST(BadInput, AFullDiskLosesNothing)

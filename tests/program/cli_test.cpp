@@ -250,6 +250,35 @@ TEST(Cli, BakeWritesEveryMapWithItsScale)
     }
 }
 
+// A normal map given by hand may be of DirectX style, as its name or its pixels say: green is flipped, and nothing else.
+TEST(Cli, NormalMapsByHandAreFlippedWhenTheyAreDirectX)
+{
+    TestFolder folder("by_hand");
+    ASSERT_EQ(runRelievo("bake sample:bricks@48 --map normal --bits 8 -o " + (folder / "gl.png")).exitCode, 0);
+    relievo::Image image = relievo::readImage(folder / "gl.png")->image;
+    ASSERT_EQ(image.type, relievo::PixelType::U8);
+    const std::size_t channels = std::size_t(image.channels);
+    for (std::size_t i = 1; i < image.data.size(); i += channels)
+        image.data[i] = std::byte(255) ^ image.data[i];
+    for (const char* name : {"dx.png", "plain.png", "bricks_normal_dx.png"})
+        ASSERT_TRUE(relievo::writeImage(folder / name, image));
+    const auto heights = [&](const std::string& normal) {
+        const ProgramRun run = runRelievo(
+            "bake sample:bricks@48 --normal " + (folder / normal) + " --map height-from-normal --bits 8 -o " + (folder / "h.png"));
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return relievo::readImage(folder / "h.png")->image.data;
+    };
+    const auto right = heights("gl.png");
+    for (const char* name : {"dx.png", "plain.png", "bricks_normal_dx.png"}) {
+        const auto made = heights(name);
+        ASSERT_EQ(made.size(), right.size());
+        int worst = 0;
+        for (std::size_t i = 0; i < made.size(); ++i)
+            worst = std::max(worst, std::abs(std::to_integer<int>(made[i]) - std::to_integer<int>(right[i])));
+        EXPECT_LE(worst, 2) << name;
+    }
+}
+
 TEST(Cli, BakeTellsHowToReadRatiosAndWhatIsMissing)
 {
     TestFolder folder("bake_words");

@@ -212,6 +212,7 @@ TEST(Measuring, TuneWithoutAnAnswerIsThree)
     EXPECT_TRUE(run.err.starts_with("relievo: error: ")) << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_NE(run.out.find("Relief"), std::string::npos); // the best there is
+    EXPECT_NE(run.err.find("--max-error 1e-06"), std::string::npos) << run.err; // what was asked for, not 0
     EXPECT_FALSE(fs::exists(folder / "p.relievo"));
     const ProgramRun best
         = runRelievo("tune sample:bricks@64 --metric flip --max-error 0.0001 --max-missed 5 --techniques relief --rays 100");

@@ -97,6 +97,44 @@ TEST(PictureErrors, ExactTechniquesHaveNone)
     }
 }
 
+// Whatever bends or walks the rays, and also where there is no depth to be wrong about.
+TEST(PictureErrors, OfMeshesAreThoseOfTheSearch)
+{
+    Bench bench("sample:bricks@64");
+    bench.state.mesh = "sphere";
+    bench.resources = *loadResources(bench.state, {}, bench.resources);
+    const auto errorsOf = [&](const char* technique, int silhouettes, float depth) {
+        State state = bench.state;
+        state.panes = {Pane{technique, {}}};
+        state.parameters.silhouettes = silhouettes;
+        state.parameters.depth = depth;
+        state.parameters.minSteps = state.parameters.maxSteps = 4;
+        return *pictureErrors(bench.renderer, state, bench.resources, 120, 90);
+    };
+    for (const int silhouettes : {0, 1, 2, 3}) {
+        const PictureErrors exact = errorsOf("cell-cone", silhouettes, 0.08f), coarse = errorsOf("relief", silhouettes, 0.08f);
+        EXPECT_LT(exact.largest, 1e-4) << silhouettes;
+        EXPECT_EQ(exact.missed, 0.) << silhouettes;
+        EXPECT_GT(coarse.rmse, 0.01) << silhouettes;
+        EXPECT_GT(coarse.missed, 0.005) << silhouettes;
+        EXPECT_LT(coarse.missed, 0.5) << silhouettes;
+    }
+    EXPECT_EQ(errorsOf("relief", 0, 0.f).largest, 0.);
+    EXPECT_EQ(errorsOf("cell-cone", 0, 0.f).largest, 0.);
+}
+
+// A fine map seen at a grazing angle: the exact answer lies thousands of cells away.
+TEST(PictureErrors, OfRaysOverThousandsOfCellsAreRight)
+{
+    Bench bench("hard:low@8");
+    auto material = std::make_shared<Material>(*bench.resources.material);
+    material->height = HeightField(1024, 1024, std::vector<float>(1 << 20, 0.05f));
+    bench.resources.material = material;
+    State view = bench.with("pyramid", 85.);
+    view.parameters.depth = 0.5f; // down to 0.95 of it a ray crosses 5,560 cells
+    EXPECT_LT(pictureErrors(bench.renderer, view, bench.resources, 24, 18)->largest, 1e-3);
+}
+
 // A shadow ray ends just above the point it is sent to; a search that looks on finds that point and darkens everything.
 TEST(Shadows, OfExactTechniquesAreThoseOfManySteps)
 {

@@ -1,0 +1,21 @@
+// The values that a pane and the parts of its mesh are drawn with.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/image/material.h"
+#include "core/shader_text/program_text.h"
+#include "core/shader_text/scene_uniforms.h"
+#include "core/state/state.h"
+
+namespace relievo {
+
+std::set<MapKind> presentMaps(const Material& material);
+
+// What the pane needs to be drawn; views against the exact answer measure the search itself, at full resolution.
+Parameters drawnParameters(const State& state, std::size_t pane, std::string_view view);
+
+// Of parts that the material is not on: grey, smooth, where they are.
+ProgramFeatures withoutRelief(ProgramFeatures features);
+SceneUniforms withoutRelief(SceneUniforms uniforms);
+
+} // namespace relievo

@@ -1,0 +1,84 @@
+// The relief that an export wrote into a glTF file is read again, as far as it makes sense.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exporters/exporters.h"
+#include "core/file.h"
+#include "tests/core/mesh_support.h"
+#include <nlohmann/json.hpp>
+
+using namespace relievo;
+using nlohmann::json;
+
+namespace {
+State sample()
+{
+    State state = openSource("sample:hammered@64", State())->state;
+    state.mesh = "box";
+    return state;
+}
+
+// The State that the glTF export of `state` opens as.
+Expected<Opened> exportedAndOpened(const Scratch& scratch, const State& state)
+{
+    const Expected<Resources> resources = loadResources(state, {}, {});
+    EXPECT_TRUE(findExport("gltf")->run({state, *resources, scratch.path / "a.glb", 0, {}}));
+    return openSource((scratch.path / "a.glb").string(), State());
+}
+
+// The same with members of the extension put in or replaced.
+Expected<Opened> openedWith(const Scratch& scratch, const json& members)
+{
+    EXPECT_TRUE(exportedAndOpened(scratch, sample()));
+    const std::string file = *readText(scratch.path / "a.glb");
+    std::uint32_t length = 0;
+    std::memcpy(&length, file.data() + 12, 4);
+    json document = json::parse(file.substr(20, length));
+    document["materials"][0]["extensions"]["RELIEVO_materials_relief"].update(members);
+    document["buffers"][0]["uri"] = "a.bin";
+    scratch.write("a.bin", file.substr(28 + length));
+    return openSource(scratch.write("a.gltf", document.dump()), State());
+}
+} // namespace
+
+TEST(GltfRelief, IsReadAsItWasWritten)
+{
+    const Scratch scratch;
+    State state = sample();
+    Parameters& p = state.parameters;
+    p.depth = 0.05f, p.midlevel = 0.5f, p.tiling = 2.f, p.leapSteps = 20, p.refineSteps = 5, p.lastBracket = true;
+    state.panes[0].technique = "cone-relaxed";
+    const Expected<Opened> again = exportedAndOpened(scratch, state);
+    ASSERT_TRUE(again) << message(again.error());
+    EXPECT_EQ(again->state.panes[0].technique, "cone-relaxed");
+    const Parameters& q = again->state.parameters;
+    EXPECT_NEAR(q.depth, 0.05f, 1e-6f); // of a tile, which is the mesh's UV unit now
+    EXPECT_EQ(q.midlevel, 0.5f);
+    EXPECT_EQ(q.leapSteps, 20);
+    EXPECT_EQ(q.refineSteps, 5);
+    EXPECT_TRUE(q.lastBracket);
+    const Expected<Resources> here = loadResources(state, {}, {}), there = loadResources(again->state, again->images, {});
+    ASSERT_TRUE(there) << message(there.error());
+    ASSERT_TRUE(there->material->height);
+    const auto before = here->material->height->texels(), after = there->material->height->texels();
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+        ASSERT_NEAR(before[i], after[i], 0.5f / 255.f + 1e-5f); // 8 bits inside the file
+}
+
+TEST(GltfRelief, NonsenseIsLeftOut)
+{
+    const Scratch scratch;
+    const Parameters plain;
+    auto read
+        = openedWith(scratch, {{"depth", 1e9}, {"midlevel", -3}, {"technique", "reference"}, {"maxSteps", 1e12}, {"minSteps", "many"}});
+    ASSERT_TRUE(read) << message(read.error());
+    EXPECT_EQ(read->state.parameters.depth, findParameter("depth")->max);
+    EXPECT_EQ(read->state.parameters.midlevel, 0.f);
+    EXPECT_EQ(read->state.parameters.maxSteps, 512);
+    EXPECT_EQ(read->state.parameters.minSteps, plain.minSteps);
+    EXPECT_EQ(read->state.panes[0].technique, Pane().technique); // "reference" draws no pictures
+    read = openedWith(scratch, {{"heightTexture", {{"index", 77}}}, {"depth", 0.3}});
+    ASSERT_TRUE(read) << message(read.error());
+    EXPECT_EQ(read->state.parameters.depth, plain.depth);
+    EXPECT_EQ(read->state.panes[0].technique, "bump");
+}
