@@ -6,6 +6,7 @@
 #include "core/analysis/ray_sets.h"
 #include "core/source.h"
 #include "core/state/techniques.h"
+#include "core/trace/exact_search.h"
 #include "core/trace/reference.h"
 #include "core/trace/shader_on_cpu.h"
 #include <algorithm>
@@ -224,4 +225,25 @@ TEST(RaySets, EveryTechniqueSurvivesThem)
             }
         }
     }
+}
+
+// The paper's distances lead near the surface in few steps; made safe, they never lead through it.
+TEST(HardCases, BallsAreLongOrSafe)
+{
+    Parameters parameters;
+    parameters.leapSteps = 32;
+    const auto errorsOf = [&](const char* key, bool safe) {
+        const HeightField field = made(key);
+        const auto rays = bandRays(kAngleBands[0], kHardCaseDepth, 1000, 5);
+        const ExactSearch search(field);
+        std::vector<SearchHit> exact;
+        for (const SearchRay& ray : rays)
+            exact.push_back(search.hit(ray));
+        parameters.safeBalls = safe;
+        return compareHits(field, rays, *traceRays("sphere", parameters, &field, rays), exact);
+    };
+    EXPECT_LT(errorsOf("waves", false).rmse, 0.03);
+    EXPECT_GT(errorsOf("waves", true).rmse, errorsOf("waves", false).rmse);
+    for (const HardCaseRow& row : kHardCases)
+        EXPECT_EQ(errorsOf(std::string(row.key).c_str(), true).tooDeep, 0u) << row.key;
 }
