@@ -5,6 +5,7 @@
 #include "core/analysis/hard_cases.h"
 #include "core/file.h"
 #include "core/image/samples.h"
+#include "core/relief_numbers.h"
 #include "core/state/presets.h"
 #include "core/text.h"
 #include <algorithm>
@@ -91,29 +92,6 @@ Expected<Opened> openScene(const std::string& source, const State& base)
     return opened;
 }
 
-// The relief as the file has it, as far as its numbers make sense; depth in tiles, which are the mesh's UV units.
-void takeRelief(State& state, const MeshRelief& relief, double metresPerUV)
-{
-    const auto take = [&state](std::string_view key, double value) {
-        const ParameterRow& row = *findParameter(key);
-        std::visit(
-            [&](auto member) {
-                using T = std::remove_cvref_t<decltype(state.parameters.*member)>;
-                if constexpr (std::is_arithmetic_v<T>)
-                    if (std::isfinite(value))
-                        set(state.parameters, row, clamped(row, T(std::clamp(value, double(row.min), double(row.max)))));
-            },
-            row.member);
-    };
-    take("depth", relief.depth / metresPerUV);
-    take("midlevel", relief.midlevel);
-    for (const auto& [key, value] : relief.search)
-        take(key, value);
-    const TechniqueRow* technique = findTechnique(relief.technique);
-    if (technique && !technique->file.empty())
-        state.panes.front().technique = relief.technique;
-}
-
 // A mesh file as SOURCE: the first of its materials that has maps, on all parts. Without heights it is shown as bump.
 Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const Progress& progress)
 {
@@ -180,6 +158,8 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     Opened opened{base, std::move(set->images), std::move(set->warnings)};
     opened.state.slots = set->slots();
     opened.state.name = set->name;
+    if (fs::is_directory(path, code))
+        takeReliefJson(path, opened.state, opened.warnings);
     return opened;
 }
 

@@ -163,10 +163,11 @@ void drawHead(Image& picture, const TextPainter& text, const Sheet& sheet)
     const std::string& title = sheet.subject.state.name;
     text.draw(picture, kGap, 36, {22, true, kInk}, title);
     text.draw(picture, kGap, 60, {14, false, kSoft}, "FLIP against " + sheet.exactLabel);
-    const int width = std::min(200, picture.width / 4), left = picture.width - kGap - width;
-    fill(picture, left, 34, width, 10, [&](int i) { return heatColor((float(i) + 0.5f) / float(width)); });
     const TextPainter::Style small{13, false, kSoft};
-    text.draw(picture, left, 24, small, "Depth error along the ray, share of depth");
+    const char* shown = "Depth error along the ray, share of depth";
+    const int width = text.width(small, shown), left = picture.width - kGap - width;
+    fill(picture, left, 34, width, 10, [&](int i) { return heatColor((float(i) + 0.5f) / float(width)); });
+    text.draw(picture, left, 24, small, shown);
     text.draw(picture, left, 60, small, "0");
     char most[48];
     std::snprintf(most, sizeof most, "%g and more", double(sheet.errorRange));

@@ -56,10 +56,8 @@ void warnOfFolders()
         warnOf("RELIEVO_SHADERS", folder, "is no folder: the shaders built in are used. Name the folder of the shaders' texts.");
     const auto cache = cacheFolder();
     if (const char* folder = std::getenv("RELIEVO_CACHE"); folder && *folder && cache) {
-        std::filesystem::path nearest = std::filesystem::absolute(*cache, code);
-        while (!std::filesystem::exists(nearest, code) && nearest.has_relative_path())
-            nearest = nearest.parent_path();
-        if (!std::filesystem::is_directory(nearest, code) || ::access(nearest.c_str(), W_OK) != 0)
+        std::filesystem::create_directories(*cache, code);
+        if (!std::filesystem::is_directory(*cache, code) || ::access(cache->c_str(), W_OK) != 0)
             warnOf("RELIEVO_CACHE", folder, "cannot be written: baked maps are not kept. Name another folder, or \"off\".");
     }
 }

@@ -1,8 +1,9 @@
-// The relief that an export wrote into a glTF file is read again, as far as it makes sense.
+// The relief that an export wrote into a glTF file or a folder is read again, as far as it makes sense.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/exporters.h"
 #include "core/file.h"
+#include "core/image/image_file.h"
 #include "tests/core/mesh_support.h"
 #include <nlohmann/json.hpp>
 
@@ -81,4 +82,75 @@ TEST(GltfRelief, NonsenseIsLeftOut)
     ASSERT_TRUE(read) << message(read.error());
     EXPECT_EQ(read->state.parameters.depth, plain.depth);
     EXPECT_EQ(read->state.panes[0].technique, "bump");
+}
+
+namespace {
+// The folder that the texture export of `state` writes.
+std::filesystem::path exportedFolder(const Scratch& scratch, const State& state)
+{
+    const std::filesystem::path folder = scratch.path / "maps";
+    EXPECT_TRUE(findExport("textures")->run({state, *loadResources(state, {}, {}), folder, 0, {}}));
+    return folder;
+}
+
+bool told(const Opened& opened, std::string_view code)
+{
+    return std::ranges::count(opened.warnings, code, &Warning::code) > 0;
+}
+} // namespace
+
+TEST(ReliefJson, IsReadAsItWasWritten)
+{
+    const Scratch scratch;
+    State state = sample();
+    Parameters& p = state.parameters;
+    p.depth = 0.037f, p.midlevel = 0.25f, p.tiling = 3.f, p.offsetU = 0.5f, p.offsetV = -0.25f, p.rotation = 30.f, p.wrap = 1;
+    p.normalStrength = 1.5f;
+    state.panes[0].technique = "pom";
+    const Expected<Opened> again = openSource(exportedFolder(scratch, state).string(), State());
+    ASSERT_TRUE(again) << message(again.error());
+    Parameters expected;
+    expected.depth = p.depth, expected.midlevel = p.midlevel, expected.tiling = p.tiling, expected.offsetU = p.offsetU;
+    expected.offsetV = p.offsetV, expected.rotation = p.rotation, expected.wrap = p.wrap, expected.normalStrength = p.normalStrength;
+    EXPECT_EQ(again->state.parameters, expected);
+    EXPECT_EQ(again->state.panes[0].technique, "pom");
+    EXPECT_TRUE(told(*again, "relief-json"));
+}
+
+// The export knows which way its height map is meant, also where the pixels say otherwise.
+TEST(ReliefJson, SaysWhichWayMapsAreMeant)
+{
+    const Scratch scratch;
+    const std::filesystem::path folder = exportedFolder(scratch, sample());
+    const std::filesystem::path file = folder / "Hammered_metal_Height.png";
+    Image height = readImage(file)->image;
+    for (std::byte& byte : height.data)
+        byte = ~byte;
+    ASSERT_TRUE(writeImage(file, height, false));
+    const auto opened = openSource(folder.string(), State());
+    ASSERT_TRUE(opened) << message(opened.error());
+    EXPECT_FALSE(opened->state.slots[std::size_t(MapKind::Height)].invert);
+    EXPECT_FALSE(told(*opened, "depth-map"));
+    std::filesystem::remove(folder / "relief.json");
+    EXPECT_TRUE(openSource(folder.string(), State())->state.slots[std::size_t(MapKind::Height)].invert);
+}
+
+TEST(ReliefJson, NonsenseIsLeftOut)
+{
+    const Scratch scratch;
+    const std::filesystem::path folder = exportedFolder(scratch, sample());
+    const auto parametersWith = [&](const std::string& text) {
+        scratch.write("maps/relief.json", text);
+        const auto opened = openSource(folder.string(), State());
+        EXPECT_TRUE(opened) << text;
+        return opened->state.parameters;
+    };
+    for (const char* text :
+        {"", "{", "[]", "7", "{\"depthInTiles\": 0.3}", "{\"technique\": \"pom\"}", "{\"depthInTiles\": \"x\", \"technique\": \"pom\"}"})
+        EXPECT_EQ(parametersWith(text), Parameters()) << text;
+    const Parameters taken = parametersWith(
+        "{\"depthInTiles\": 1e40, \"technique\": \"magic\", \"offset\": [1], \"tiling\": null, \"maps\": [3, {\"kind\": 4}]}");
+    Parameters expected;
+    expected.depth = findParameter("depth")->max;
+    EXPECT_EQ(taken, expected);
 }

@@ -1,0 +1,19 @@
+// The numbers of a relief that exports of this program carry, taken into a State again.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/mesh/mesh.h"
+#include "core/state/state.h"
+#include <filesystem>
+
+namespace relievo {
+
+// What a glTF file says (RELIEVO_materials_relief), as far as it makes sense: numbers are clamped to their range, what is no number and
+// techniques that draw no pictures are left out. metresPerUV: of the mesh, whose UV unit is the tile; > 0.
+void takeRelief(State& state, const MeshRelief& relief, double metresPerUV);
+
+// The same of relief.json in a folder of exported textures: its values, and which way its own maps are meant, whatever their pixels
+// suggest. Does nothing where there is no such file, or another program's. Warnings: "relief-json" tells that values were taken.
+void takeReliefJson(const std::filesystem::path& folder, State& state, Warnings& warnings);
+
+} // namespace relievo
