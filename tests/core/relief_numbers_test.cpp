@@ -122,8 +122,10 @@ TEST(ReliefJson, SaysWhichWayMapsAreMeant)
 {
     const Scratch scratch;
     const std::filesystem::path folder = exportedFolder(scratch, sample());
-    const std::filesystem::path file = folder / "Hammered_metal_Height.png";
-    Image height = readImage(file)->image;
+    const std::filesystem::path file = openSource(folder.string(), State())->state.slots[std::size_t(MapKind::Height)].file;
+    const Expected<ImageRead> read = readImage(file);
+    ASSERT_TRUE(read) << message(read.error());
+    Image height = read->image;
     for (std::byte& byte : height.data)
         byte = ~byte;
     ASSERT_TRUE(writeImage(file, height, false));
