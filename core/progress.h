@@ -17,6 +17,14 @@ struct Progress {
             report(share);
     }
     bool cancelled() const { return stop.stop_requested(); }
+
+    // Of work that takes the share from `from` to `to` of this.
+    Progress part(float from, float to) const
+    {
+        if (!report)
+            return {{}, stop};
+        return {[whole = report, from, to](float share) { whole(from + (to - from) * share); }, stop};
+    }
 };
 
 } // namespace relievo

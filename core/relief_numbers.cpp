@@ -66,12 +66,12 @@ void takeRelief(State& state, const MeshRelief& relief, double metresPerUV)
     takeTechnique(state, relief.technique);
 }
 
-void takeReliefJson(const fs::path& folder, State& state, Warnings& warnings)
+bool takeReliefJson(const fs::path& folder, State& state, Warnings& warnings)
 {
     const Expected<std::string> text = readText(folder / "relief.json");
     const json numbers = text ? json::parse(*text, nullptr, false) : json();
     if (!numbers.is_object() || std::isnan(numberOf(numbers, "depthInTiles")) || textOf(numbers, "technique").empty())
-        return;
+        return false;
     constexpr std::pair<const char*, const char*> kNumbers[] = {{"depthInTiles", "depth"}, {"midlevel", "midlevel"}, {"tiling", "tiling"},
         {"rotationDegrees", "rotation"}, {"normalStrength", "normalStrength"}};
     for (const auto& [key, parameter] : kNumbers)
@@ -92,6 +92,7 @@ void takeReliefJson(const fs::path& folder, State& state, Warnings& warnings)
         std::erase_if(warnings,
             [](const Warning& w) { return w.code == "normal-contradicts-height" || w.code == "depth-map" || w.code == "normal-directx"; });
     warnings.push_back({"relief-json", "Depth, technique and placement are those of relief.json in the folder."});
+    return true;
 }
 
 } // namespace relievo

@@ -13,7 +13,7 @@ namespace relievo {
 void takeRelief(State& state, const MeshRelief& relief, double metresPerUV);
 
 // The same of relief.json in a folder of exported textures: its values, and which way its own maps are meant, whatever their pixels
-// suggest. Does nothing where there is no such file, or another program's. Warnings: "relief-json" tells that values were taken.
-void takeReliefJson(const std::filesystem::path& folder, State& state, Warnings& warnings);
+// suggest. Returns whether there is such a file of this program. Warnings: "relief-json" tells that values were taken.
+bool takeReliefJson(const std::filesystem::path& folder, State& state, Warnings& warnings);
 
 } // namespace relievo

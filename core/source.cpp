@@ -108,6 +108,7 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
         for (Pane& pane : opened.state.panes)
             if (const TechniqueRow* technique = findTechnique(pane.technique); technique && listHas(technique->maps, "height"))
                 pane.technique = "bump";
+    opened.bringsRelief = material->relief.has_value();
     if (material->relief)
         takeRelief(opened.state, *material->relief, double(mesh->metresPerUV));
     opened.state.name = file.stem().string();
@@ -159,7 +160,7 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     opened.state.slots = set->slots();
     opened.state.name = set->name;
     if (fs::is_directory(path, code))
-        takeReliefJson(path, opened.state, opened.warnings);
+        opened.bringsRelief = takeReliefJson(path, opened.state, opened.warnings);
     return opened;
 }
 
@@ -238,30 +239,21 @@ bool boundsFit(const State& state, const Resources& resources)
 Expected<Resources> loadResources(const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress)
 {
     Resources resources = previous;
-    const auto part = [&](float from, float to) {
-        Progress share;
-        share.stop = progress.stop;
-        share.report = [report = progress.report, from, to](float at) {
-            if (report)
-                report(from + at * (to - from));
-        };
-        return share;
-    };
     if (!resources.material || resources.material->slots != state.slots) {
-        auto material = loadMaterial(state.slots, images, previous.material.get(), part(0.f, 0.7f));
+        auto material = loadMaterial(state.slots, images, previous.material.get(), progress.part(0.f, 0.7f));
         if (!material)
             return tl::unexpected(material.error());
         resources.material = std::make_shared<const Material>(std::move(*material));
     }
     if (!resources.mesh || resources.meshName != state.mesh) {
-        auto mesh = openMesh(state.mesh, part(0.7f, 0.9f));
+        auto mesh = openMesh(state.mesh, progress.part(0.7f, 0.9f));
         if (!mesh)
             return tl::unexpected(mesh.error());
         resources.mesh = std::make_shared<const Mesh>(std::move(*mesh));
         resources.meshName = state.mesh;
     }
     if (!resources.environment || resources.environmentName != state.environment) {
-        auto environment = openEnvironment(state.environment, part(0.9f, 1.f));
+        auto environment = openEnvironment(state.environment, progress.part(0.9f, 1.f));
         if (!environment)
             return tl::unexpected(environment.error());
         resources.environment = std::make_shared<const Environment>(std::move(*environment));
@@ -270,7 +262,7 @@ Expected<Resources> loadResources(const State& state, const DecodedImages& image
     if (progress.cancelled())
         return failure(state.name, "cancelled");
     progress.at(1.f);
-    if (const auto baked = loadBounds(state, resources, part(0.9f, 1.f)); !baked)
+    if (const auto baked = loadBounds(state, resources, progress.part(0.9f, 1.f)); !baked)
         return tl::unexpected(baked.error());
     return resources;
 }

@@ -12,6 +12,7 @@
 #include "render/texture_units.h"
 #include <algorithm>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <span>
 #include <utility>
@@ -93,6 +94,8 @@ bool MeshUpload::showsBacks(glm::vec3 eye, float margin)
 {
     if (!m_closed)
         m_closed = isClosed(*m_mesh);
+    if (m_mesh->deformation) // may move out of the bounds, which are at rest
+        margin += glm::distance(m_mesh->boundsMin, m_mesh->boundsMax);
     const glm::vec3 least = m_mesh->boundsMin - margin, most = m_mesh->boundsMax + margin;
     return !*m_closed || (glm::all(glm::greaterThanEqual(eye, least)) && glm::all(glm::lessThanEqual(eye, most)));
 }

@@ -62,7 +62,7 @@ struct Renderer::Impl {
     // The parts with relief by `features`, the plain ones by what is left of them without. First all faces towards the eye: those behind
     // them fail the depth test before they are searched. Where the front is cut off, or writes a depth of its own, the inside must not
     // show: of a closed mesh no other faces are drawn, and of others what lies behind the front's polygons is hidden (not in a shadow map,
-    // whose depth is what counts). Holes of the material show it. use(program, uniforms) makes a program ready.
+    // whose depth is what counts). Without silhouettes, holes of the material show it. use(program, uniforms) makes a program ready.
     template <class Use>
     void drawSurface(const State& state, const ProgramFeatures& features, const Parameters& parameters, const SceneUniforms& uniforms,
         bool intoShadowMap, bool coarse, const Use& use, std::optional<Error>& error)

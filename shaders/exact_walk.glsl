@@ -1,5 +1,5 @@
-// The exact first hit in single precision: each bilinear cell that the ray crosses is solved as a quadratic. Only the error view
-// uses it, to be compared with; the measured reference is the same walk in double precision (core/trace/reference).
+// The exact first hit in single precision: each bilinear cell that the ray crosses is solved as a quadratic. Only views
+// against the exact answer use it; the measured reference is the same walk in double precision (core/trace/reference).
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 
@@ -32,7 +32,7 @@ float bilinear(vec4 h, vec2 f)
     return top * (1.0f - f.y) + bottom * f.y;
 }
 
-// Depth t of the first hit; 1 when there is none, also for a ray that crosses more than 65536 cells (1024 x 1024 texels at 89.9 degrees).
+// Depth t of the first hit; 1 when there is none, also for a ray that crosses more than 65536 cells (about 1024 x 1024 texels at 89.9 degrees).
 float exactDepth(Ray ray)
 {
     vec2 size = vec2(textureSize(heightMap, 0));

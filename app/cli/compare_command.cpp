@@ -85,7 +85,7 @@ Result<Sheet> measure(const CompareOptions& options)
     if (!techniques)
         return tl::unexpected(techniques.error());
     const Progress progress = shownProgress(options.common);
-    auto subject = openSubject(options.state, true, part(progress, 0.f, 0.2f));
+    auto subject = openSubject(options.state, true, progress.part(0.f, 0.2f));
     if (!subject)
         return tl::unexpected(subject.error());
     State& state = subject->state;
@@ -107,7 +107,7 @@ Result<Sheet> measure(const CompareOptions& options)
         sheet.cells.push_back(std::move(*cell));
         progress.at(0.2f + 0.5f * float(sheet.cells.size()) / float(techniques->size()));
     }
-    if (const auto timed = timeCells(renderer, sheet, part(progress, 0.7f, 1.f)); !timed)
+    if (const auto timed = timeCells(renderer, sheet, progress.part(0.7f, 1.f)); !timed)
         return problem(timed.error());
     return sheet;
 }

@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
@@ -49,8 +51,11 @@ std::unique_ptr<tbb::global_control> boundedThreads()
     return std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
 }
 
-void warnOfFolders()
+// Of those that the command may use.
+void warnOfFolders(std::string_view command)
 {
+    if (command.starts_with('-') || command == "describe" || command == "info")
+        return;
     std::error_code code;
     if (const char* folder = std::getenv("RELIEVO_SHADERS"); folder && *folder && !std::filesystem::is_directory(folder, code))
         warnOf("RELIEVO_SHADERS", folder, "is no folder: the shaders built in are used. Name the folder of the shaders' texts.");
@@ -62,12 +67,12 @@ void warnOfFolders()
     }
 }
 
-// What a command printed may still have to be written, and the disk may be full. A reader that closed its pipe has what it wanted.
+// What a command printed may still have to be written, and the disk may be full.
 bool wroteAll()
 {
     errno = 0;
-    const bool flushed = std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush();
-    return flushed || errno == EPIPE;
+    const bool flushed = std::fflush(stdout) == 0;
+    return flushed && !std::ferror(stdout) && std::cout.flush();
 }
 
 bool startsCommand(int argc, char** argv)
@@ -82,7 +87,8 @@ int run(int argc, char** argv)
 {
     if (!startsCommand(argc, argv))
         return startEditor(argc, argv);
-    warnOfFolders();
+    std::signal(SIGPIPE, SIG_DFL); // who closes the pipe has what was wanted
+    warnOfFolders(argv[1]);
     int exitCode = Done;
     CLI::App app(
         "Relievo: relief materials, seen, compared and exported.\nrelievo [SOURCE] opens the editor; the commands need no display.");
@@ -110,7 +116,8 @@ int main(int argc, char** argv)
         const int code = relievo::cli::run(argc, argv);
         if (relievo::cli::wroteAll())
             return code;
-        std::fprintf(stderr, "relievo: error: the output could not be written (%s). Free space where it goes.\n", std::strerror(errno));
+        const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ')' : std::string();
+        std::fprintf(stderr, "relievo: error: stdout: the output could not be written%s. Free space where it goes.\n", reason.c_str());
         return relievo::cli::Failed;
     } catch (const std::bad_alloc&) {
         std::fputs("relievo: error: there is not enough memory. Use smaller maps or close other programs.\n", stderr);

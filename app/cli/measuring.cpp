@@ -47,13 +47,6 @@ Result<std::vector<const TechniqueRow*>> techniquesOf(const std::vector<std::str
     return *rows;
 }
 
-Progress part(const Progress& progress, float from, float to)
-{
-    if (!progress.report)
-        return progress;
-    return {[report = progress.report, from, to](float share) { report(from + share * (to - from)); }, progress.stop};
-}
-
 PictureJudge::PictureJudge(Renderer& renderer, const State& state, const Resources& resources, Image exact)
     : m_renderer(&renderer)
     , m_state(state)

@@ -22,9 +22,6 @@ Result<Subject> openSubject(const StateOptions& options, bool whole, const Progr
 // The rows that `--techniques` names; all when empty. A wrong key is wrong usage.
 Result<std::vector<const TechniqueRow*>> techniquesOf(const std::vector<std::string>& keys);
 
-// Parts of one progress: from `from` to `to` of it.
-Progress part(const Progress& progress, float from, float to);
-
 // Shaded pictures compared with that of the most exact setting, at one size. Needs a current context.
 class PictureJudge {
 public:

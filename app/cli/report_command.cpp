@@ -77,7 +77,7 @@ Result<std::vector<Subject>> subjectsOf(const ReportOptions& options, const Prog
     const float share = 1.f / float(count);
     const auto add = [&](const StateOptions& state, bool pictured) -> Result<void> {
         const float from = share * float(subjects.size());
-        auto subject = openSubject(state, pictured && !options.noPictures, part(progress, from, from + share));
+        auto subject = openSubject(state, pictured && !options.noPictures, progress.part(from, from + share));
         if (!subject)
             return tl::unexpected(subject.error());
         subjects.push_back(std::move(*subject));
@@ -150,12 +150,12 @@ Expected<void> measurePictures(const ReportOptions& options, const std::vector<S
     report.pictureHeight = options.fast ? 240 : 600;
     if (!options.state.mesh.empty()) {
         auto mesh = measureOnMesh(renderer, subjects.front().state, subjects.front().resources, report.pictureWidth, report.pictureHeight,
-            true, report.warnings, part(progress, 0.f, 0.2f));
+            true, report.warnings, progress.part(0.f, 0.2f));
         if (!mesh)
             return tl::unexpected(mesh.error());
         report.mesh = std::move(*mesh);
     }
-    GpuRun run{renderer, options, report, part(progress, 0.2f, 1.f)};
+    GpuRun run{renderer, options, report, progress.part(0.2f, 1.f)};
     const std::size_t steps = subjects.size() * report.angles.size();
     for (std::size_t field = 0; field < subjects.size(); ++field)
         for (std::size_t angle = 0; angle < report.angles.size(); ++angle) {
@@ -215,7 +215,7 @@ Result<Report> measure(const ReportOptions& options)
     if (!techniques || !bands)
         return tl::unexpected(techniques ? bands.error() : techniques.error());
     const Progress progress = shownProgress(options.common);
-    const auto subjects = subjectsOf(options, part(progress, 0.f, 0.1f));
+    const auto subjects = subjectsOf(options, progress.part(0.f, 0.1f));
     if (!subjects)
         return tl::unexpected(subjects.error());
 
@@ -232,12 +232,12 @@ Result<Report> measure(const ReportOptions& options)
         report.plan.fields.push_back(subject.field);
         report.warnings.insert(report.warnings.end(), subject.warnings.begin(), subject.warnings.end());
     }
-    auto rows = sweep(report.plan, part(progress, 0.1f, options.noPictures ? 0.9f : 0.4f));
+    auto rows = sweep(report.plan, progress.part(0.1f, options.noPictures ? 0.9f : 0.4f));
     if (!rows)
         return problem(rows.error());
     report.rows = std::move(*rows);
     if (!options.noPictures)
-        if (const auto done = measurePictures(options, *subjects, report, part(progress, 0.4f, 0.9f)); !done)
+        if (const auto done = measurePictures(options, *subjects, report, progress.part(0.4f, 0.9f)); !done)
             return problem(done.error());
     if (lowerSuffix(options.out) == ".html")
         if (const auto done = addHeats(*techniques, shownSubject(*subjects), options.fast, report, progress); !done)

@@ -121,7 +121,7 @@ Result<Tuned> tune(const TuneOptions& options)
     if (!techniques)
         return tl::unexpected(techniques.error());
     const Progress progress = shownProgress(options.common);
-    auto subject = openSubject(options.state, options.metric != "depth", part(progress, 0.f, 0.1f));
+    auto subject = openSubject(options.state, options.metric != "depth", progress.part(0.f, 0.1f));
     if (!subject)
         return tl::unexpected(subject.error());
     Tuned tuned{std::move(*subject), {}, {}, {}};
@@ -133,12 +133,12 @@ Result<Tuned> tune(const TuneOptions& options)
     tuned.plan.fields = {tuned.subject.field};
     tuned.plan.rays = options.rays;
     tuned.plan.seed = options.seed;
-    auto rows = sweep(tuned.plan, part(progress, 0.1f, options.metric == "depth" ? 1.f : 0.4f));
+    auto rows = sweep(tuned.plan, progress.part(0.1f, options.metric == "depth" ? 1.f : 0.4f));
     if (!rows)
         return problem(rows.error());
     tuned.rows = std::move(*rows);
     tuned.candidates = candidatesOf(tuned.rows, tuned.plan.settings.size());
-    const auto chosen = chooseOne(options, tuned, part(progress, 0.4f, 1.f));
+    const auto chosen = chooseOne(options, tuned, progress.part(0.4f, 1.f));
     if (!chosen)
         return problem(chosen.error());
     tuned.chosen = *chosen;

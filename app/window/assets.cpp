@@ -35,7 +35,7 @@ std::optional<Error> newFileThatFailed(const State& before, const State& next, c
         if (slot.empty() || slot == before.slots[std::size_t(row.kind)] || hasMap(material, row.kind))
             continue;
         for (const Warning& warning : material.warnings)
-            if (warning.text.find(slot.file) != std::string::npos)
+            if (tellsOf(warning, slot.file))
                 return Error{warning.text.ends_with('.') ? warning.text.substr(0, warning.text.size() - 1) : warning.text, "", ""};
         return Error{"the map could not be read", slot.file, "Choose another file"};
     }
@@ -53,14 +53,22 @@ bool isWhole(const QString& source)
 }
 
 // What a SOURCE of maps brings into `state`; it was read on `base`.
-void takeMaps(State& state, const State& base, const State& opened, bool builtIn)
+void takeMaps(State& state, const State& base, const Opened& source, bool builtIn)
 {
+    const State& opened = source.state;
     state.slots = opened.slots;
     state.name = opened.name;
     if (builtIn) // a sample brings its depth
         state.parameters.depth = opened.parameters.depth;
     if (opened.mesh != base.mesh) // a mesh with textures
         state.mesh = opened.mesh, state.part = opened.part, state.panes = opened.panes;
+    if (!source.bringsRelief)
+        return;
+    for (const ParameterRow& row : kParameters) // what was edited meanwhile stays
+        if (const Value value = get(opened.parameters, row); value != get(base.parameters, row))
+            set(state.parameters, row, value);
+    if (opened.panes != base.panes)
+        state.panes = opened.panes;
 }
 
 constexpr auto kNone = [](const auto&) { return false; };
@@ -88,17 +96,14 @@ Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObjec
 
 Assets::Loaded Assets::open(const std::string& source, const State& base, const Shown& previous, const Progress& progress)
 {
-    const auto part = [&](float from, float to) {
-        return Progress{[&progress, from, to](float share) { progress.at(from + (to - from) * share); }, progress.stop};
-    };
     Loaded result{base, {}, {}, {}};
-    auto opened = openSource(source, base, part(0.f, 0.6f));
+    auto opened = openSource(source, base, progress.part(0.f, 0.6f));
     if (!opened) {
         result.error = opened.error();
         return result;
     }
     result.opened = std::move(*opened);
-    auto shown = loadWhatIsThere(result.opened.state, result.opened.images, previous, part(0.6f, 1.f));
+    auto shown = loadWhatIsThere(result.opened.state, result.opened.images, previous, progress.part(0.6f, 1.f));
     if (shown)
         result.shown = std::move(*shown);
     else
@@ -204,8 +209,10 @@ void Assets::enqueue(Job job, const std::function<bool(const Job&)>& pointless)
     const bool runs = !m_jobs.empty() && !pointless(m_jobs.front());
     m_jobs.remove_if(pointless);
     m_jobs.push_back(std::move(job));
-    if (!runs)
+    if (!runs) {
         runNext();
+        endChanges(); // what it made pointless may have been waited for
+    }
 }
 
 void Assets::enqueue(const Opening& opening, const std::function<bool(const Job&)>& pointless)
@@ -286,7 +293,7 @@ void Assets::show(const Opening& opening, const Loaded& loaded, bool edited)
     take(loaded.shown);
     const State& next = loaded.opened.state;
     State present = m_document.state();
-    takeMaps(present, loaded.base, next, builtIn);
+    takeMaps(present, loaded.base, loaded.opened, builtIn);
     if (opening.base || isWhole(opening.source))
         m_document.start(next, isProjectFile(source) ? QFileInfo(opening.source).absoluteFilePath() : QString());
     else if (opening.asStep || edited)

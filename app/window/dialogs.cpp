@@ -17,7 +17,7 @@ struct FileKindRow {
 };
 constexpr const char* kImages = "png jpg jpeg tif tiff tga bmp exr hdr dds";
 constexpr FileKindRow kFileKinds[] = {
-    {"source", "Projects and images", "relievo png jpg jpeg tif tiff tga bmp exr hdr dds"},
+    {"source", "Projects and images", "relievo png jpg jpeg tif tiff tga bmp exr hdr dds gltf glb obj"},
     {"project", "Projects", "relievo"},
     {"image", "Images", kImages},
     {"mesh", "Meshes", "gltf glb obj ply stl off"},

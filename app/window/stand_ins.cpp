@@ -38,9 +38,9 @@ bool isBack(const std::optional<StandIn>& standIn, const std::string& file)
 // Whether `slot` was told to be missing and is there now.
 bool isBack(const Material& material, const MapSlot& slot)
 {
-    return !slot.empty() && pictureMayExist(slot.file) && std::ranges::any_of(material.warnings, [&](const Warning& warning) {
-        return warning.code == "map-missing" && warning.text.find(slot.file) != std::string::npos;
-    });
+    return !slot.empty() && std::ranges::any_of(material.warnings, [&](const Warning& warning) {
+        return warning.code == "map-missing" && tellsOf(warning, slot.file);
+    }) && pictureMayExist(slot.file);
 }
 
 // As if what is there again had never been looked for.
@@ -90,24 +90,26 @@ std::string sentence(const StandIn& standIn, const std::string& file, const std:
 }
 } // namespace
 
+bool tellsOf(const Warning& warning, const std::string& file)
+{
+    return warning.text.starts_with(file + ": ") || warning.text.find('(' + file + ')') != std::string::npos;
+}
+
 Expected<Shown> loadWhatIsThere(const State& state, const DecodedImages& images, Shown shown, const Progress& progress)
 {
-    const auto part = [&](float from, float to) {
-        return Progress{[&progress, from, to](float share) { progress.at(from + (to - from) * share); }, progress.stop};
-    };
     forgetWhatIsBack(shown);
     Resources& held = shown.resources;
     if (const auto mesh = load(held.mesh, held.meshName, shown.mesh, state.mesh, "plane",
-            [&](const std::string& name) { return openMesh(name, part(0.f, 0.2f)); });
+            [&](const std::string& name) { return openMesh(name, progress.part(0.f, 0.2f)); });
         !mesh)
         return tl::unexpected(mesh.error());
     if (const auto environment = load(held.environment, held.environmentName, shown.environment, state.environment, "studio",
-            [&](const std::string& name) { return openEnvironment(name, part(0.2f, 0.3f)); });
+            [&](const std::string& name) { return openEnvironment(name, progress.part(0.2f, 0.3f)); });
         !environment)
         return tl::unexpected(environment.error());
     if (state.slots != MapSlots{} && std::ranges::none_of(state.slots, isThere))
         held.material = movedAway(state.slots);
-    auto resources = loadResources(state, images, held, part(0.3f, 1.f));
+    auto resources = loadResources(state, images, held, progress.part(0.3f, 1.f));
     if (!resources)
         return tl::unexpected(resources.error());
     shown.resources = std::move(*resources);

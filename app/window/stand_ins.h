@@ -28,6 +28,9 @@ Expected<Shown> loadWhatIsThere(const State& state, const DecodedImages& images,
 // One sentence for each stand-in: which file, what is shown instead, and the cure.
 Warnings warningsOf(const Shown& shown);
 
+// Whether the warning of a material is about this very file of it.
+bool tellsOf(const Warning& warning, const std::string& file);
+
 // Whether a file that was missing is there again (or one that could not be read is another one now).
 bool isBack(const Shown& shown);
 

@@ -13,13 +13,6 @@ namespace relievo {
 namespace {
 const glm::dvec3 kZero(0.0);
 
-bool isFar(glm::dvec3 position)
-{
-    constexpr double kNear = 1e4, kBeyondFloats = 1e14; // m
-    const double distance = glm::length(position); // NaN is neither
-    return distance > kNear && distance < kBeyondFloats;
-}
-
 // Poses of what is stored relative to `origin` are so as well.
 void follow(Deformation& deformation, glm::dvec3 origin)
 {
@@ -28,6 +21,13 @@ void follow(Deformation& deformation, glm::dvec3 origin)
         joint.fromMesh = glm::translate(joint.fromMesh, origin);
 }
 } // namespace
+
+bool isFar(glm::dvec3 position)
+{
+    constexpr double kNear = 1e4, kBeyondFloats = 1e14; // m
+    const double distance = glm::length(position); // NaN is neither
+    return distance > kNear && distance < kBeyondFloats;
+}
 
 void RawMesh::addPosition(glm::dvec3 position)
 {

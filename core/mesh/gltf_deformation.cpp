@@ -104,7 +104,6 @@ std::vector<glm::dmat4> GltfDeformation::bindMatrices(const tinygltf::Skin& skin
 
 glm::dmat4 GltfDeformation::storedAt(const tinygltf::Primitive& primitive, int node, const glm::dmat4& world)
 {
-    constexpr double kFar = 1e4, kBeyondFloats = 1e14; // m
     const std::optional<int> skin = skinOf(primitive, node, world);
     if (!skin)
         return world;
@@ -118,7 +117,7 @@ glm::dmat4 GltfDeformation::storedAt(const tinygltf::Primitive& primitive, int n
             place->second = glm::dvec3(m_rest[std::size_t(number)] * (bind.empty() ? glm::dmat4(1.0) : bind.front())[3]);
     }
     glm::dmat4 stored = world;
-    if (const double distance = glm::distance(glm::dvec3(world[3]), place->second); distance > kFar && distance < kBeyondFloats)
+    if (isFar(glm::dvec3(world[3]) - place->second))
         stored[3] = glm::dvec4(place->second, 1.0);
     return stored;
 }

@@ -156,7 +156,7 @@ private:
             m_read.warnings.push_back({"texture-transforms",
                 name
                     + "scales, turns or shifts its pictures differently; all follow the first of base color, normal, roughness, specular, "
-                      "occlusion and emission that it has."});
+                      "occlusion, emission and height that it has."});
     }
 
     void put(MapKind kind, const Texture& texture, Channel channel = Channel::Rgb)

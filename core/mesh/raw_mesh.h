@@ -68,6 +68,9 @@ struct RawMesh {
 // large ones always become a fan; both are counted.
 void addPolygon(RawMesh& raw, std::span<const RawMesh::Corner> polygon);
 
+// Whether floats lose detail of what lies there, m; not for places that they cannot hold at all.
+bool isFar(glm::dvec3 position);
+
 // What lies between low and high, m, is best stored relative to: 0, unless it is much farther from there than it is large.
 glm::dvec3 originFor(glm::dvec3 low, glm::dvec3 high);
 

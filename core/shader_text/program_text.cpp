@@ -63,13 +63,13 @@ constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl",
 
 constexpr std::string_view kFrameFiles[] = {"frame_vertex.glsl", "frame_derivatives.glsl", "frame_thesis.glsl"};
 
-// Whether a view computes light.
 bool isAgainstExact(std::string_view view)
 {
     const ViewRow* row = findView(view);
     return row && row->isAgainstExact;
 }
 
+// Whether a view computes light.
 bool isLit(std::string_view view)
 {
     return view == "shaded" || view == "invalid";

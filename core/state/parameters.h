@@ -126,9 +126,8 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
     {&Parameters::provenStep, "provenStep", "Proven step", Group::Search, 0.f, 1.f, "", "technique", "",
         "Measures the ray by |du| + |dv|, which a bilinear surface cannot outrun, instead of by its length as in the paper."},
     {&Parameters::safeBalls, "safeBalls", "Safe balls", Group::Search, 0.f, 1.f, "", "technique", "",
-        "Makes every ball smaller by half the diagonal of a voxel, by which the paper's interpolated distance may be too long: no step "
-        "leads "
-        "through the surface, and all end that much above it."},
+        "Makes every ball smaller by half the diagonal of a voxel, by which the paper's interpolated distance may be too long: no "
+        "step leads through the surface, and all end that much above it."},
     {&Parameters::offsetLimiting, "offsetLimiting", "Offset limiting", Group::Search, 0.f, 1.f, "", "technique", "",
         "Drops the division by the view's height (Welsh 2004): steadier at grazing views, but too shallow there."},
     {&Parameters::heightMips, "heightMips", "Coarser far away", Group::Search, 0.f, 1.f, "", "technique", "",
@@ -195,7 +194,7 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
     {&Parameters::fetchRange, "fetchRange", "Fetches shown up to", Group::View, 1.f, 1024.f, "fetches", "", "",
         "Texture fetches at the bright end of the fetches view."},
     {&Parameters::errorRange, "errorRange", "Error shown up to", Group::View, 0.0001f, 1.f, "depth", "", "",
-        "Depth error at the bright end of the error view, as a share of the depth."},
+        "Depth error at the bright end of the views Error and Overshoot, as a share of the depth."},
 });
 
 const ParameterRow* findParameter(std::string_view key); // nullptr when unknown

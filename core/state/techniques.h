@@ -53,7 +53,7 @@ inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
     {"sphere", "Sphere tracing", "techniques/sphere.glsl", "height", "distance",
         "leapSteps safeBalls heightMips silhouettes shadows shadowBias",
         "Donnelly 2005, Per-Pixel Displacement Mapping with Distance Functions (GPU Gems 2, chapter 8)", true, true, false, false,
-        "Leaps by a volume of distances: few steps, much memory, and thin relief is blurred by the volume's size."},
+        "Leaps by a volume of distances: much memory, and thin relief is blurred by the volume's size."},
     {"cone", "Cone stepping", "techniques/cone.glsl", "height", "cone", "leapSteps refineSteps heightMips silhouettes shadows shadowBias",
         "Dummer 2006, Cone Step Mapping", true, true, false, false,
         "Leaps by a map of empty cones. The cones know texels only: between them a leap may end inside."},

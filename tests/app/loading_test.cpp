@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/mesh_reference.h"
+#include "core/exporters/exporters.h"
 #include "core/mesh/mesh.h"
 #include "core/state/presets.h"
 #include "tests/app/window_support.h"
@@ -60,6 +61,28 @@ TEST_F(LoadingTest, WhatIsEditedWhileMapsLoadStays)
     settle();
     EXPECT_EQ(state().slots, before);
     EXPECT_EQ(state().parameters.maxSteps, 77);
+}
+
+// Depth, technique and steps come along with what this program exported; what is edited meanwhile stays.
+TEST_F(LoadingTest, WhatWasExportedBringsItsRelief)
+{
+    State exported = openSource("sample:hammered@32", State())->state;
+    exported.parameters.depth = 0.05f, exported.parameters.tiling = 3.f, exported.parameters.safeBalls = true;
+    exported.panes[0].technique = "sphere";
+    const Resources resources = *loadResources(exported, {}, {});
+    for (const char* target : {"gltf", "textures"}) {
+        const QString out = file(std::string_view(target) == "gltf" ? "a.glb" : "maps");
+        ASSERT_TRUE(findExport(target)->run({exported, resources, out.toStdString(), 0, {}}));
+        window.assets().openDocument("sample:bricks@32", State{});
+        settle();
+        window.files().open(out);
+        edit(77);
+        settle();
+        EXPECT_NEAR(state().parameters.depth, 0.05f, 1e-6f) << target;
+        EXPECT_EQ(state().panes[0].technique, "sphere") << target;
+        EXPECT_EQ(state().parameters.maxSteps, 77) << target;
+    }
+    EXPECT_FLOAT_EQ(state().parameters.tiling, 3.f); // of the folder; the mesh of the glTF file has it in its UVs
 }
 
 TEST_F(LoadingTest, AProjectAsksAboutWhatWasEditedWhileItLoaded)

@@ -5,6 +5,7 @@
 #include "core/mesh/mesh.h"
 #include "core/state/state_json.h"
 #include "tests/app/window_support.h"
+#include <QImage>
 #include <QLabel>
 #include <algorithm>
 
@@ -176,4 +177,25 @@ TEST_F(MissingTest, NothingIsExportedInTheScaleOfAnotherMesh)
     EXPECT_FALSE(dialog.busy());
     EXPECT_FALSE(QFile::exists(file("out.glb")));
     EXPECT_TRUE(dialog.findChild<QLabel*>("result")->text().contains("one.obj"));
+}
+
+// Names that contain each other are told apart: the one that is there is not the one that is missing.
+TEST_F(MissingTest, ANameWithinAnotherIsNotIt)
+{
+    for (const char* name : {"a.png", "a.png.old"})
+        ASSERT_TRUE(QImage(2, 2, QImage::Format_Grayscale8).save(file(name), "PNG"));
+    State base;
+    base.slots[std::size_t(MapKind::Roughness)].file = file("a.png").toStdString();
+    base.slots[std::size_t(MapKind::Color)].file = file("a.png.old").toStdString();
+    window.assets().openState(base, {});
+    settle();
+    ASSERT_TRUE(QFile::remove(file("a.png.old")));
+    window.assets().openState(base, {});
+    settle();
+    window.assets().openDocument("sample:bricks@32", State{});
+    settle();
+    window.assets().openState(base, {});
+    settle();
+    EXPECT_TRUE(says("a.png.old"));
+    EXPECT_TRUE(window.assets().upToDate());
 }

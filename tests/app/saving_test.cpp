@@ -123,6 +123,25 @@ TEST_F(SavingTest, WhatIsStillLoadingIsSaved)
     EXPECT_FALSE(window.document().isModified());
 }
 
+// The mesh that was loading when Save was chosen is not wanted any more: what is saved is all that there is, and only once.
+TEST_F(SavingTest, ASaveNeedsNotWaitForWhatIsNotWantedAnyMore)
+{
+    ASSERT_TRUE(window.document().save(file("a.relievo")));
+    window.document().edit("Depth", [](State& s) { s.parameters.depth = 0.321f; });
+    window.maps().setMesh("torus");
+    window.action("save")->trigger();
+    window.maps().setMesh("plane");
+    settle();
+    const auto saved = [&] { return readState(State{}, file("a.relievo").toStdString())->state; };
+    EXPECT_FLOAT_EQ(saved().parameters.depth, 0.321f);
+    EXPECT_EQ(saved().mesh, "plane");
+    EXPECT_FALSE(window.document().isModified());
+    window.document().edit("Depth", [](State& s) { s.parameters.depth = 0.444f; });
+    window.maps().setMesh("sphere");
+    settle();
+    EXPECT_FLOAT_EQ(saved().parameters.depth, 0.321f) << "nobody asked for that";
+}
+
 TEST_F(SavingTest, ClosingWhileAMapLoadsAsks)
 {
     ASSERT_TRUE(window.document().save(file("a.relievo")));

@@ -202,9 +202,13 @@ TEST(BadInput, OutputThatCannotBeWrittenIsNoSuccess)
     for (const char* command : {"describe --json", "info sample:bricks@64 --json", "render --help", "--version"}) {
         const ProgramRun run = runRelievo(std::string(command) + " > /dev/full");
         EXPECT_EQ(run.exitCode, 1) << command;
-        EXPECT_TRUE(run.err.starts_with("relievo: error: the output could not be written")) << run.err;
+        EXPECT_TRUE(run.err.starts_with("relievo: error: stdout: the output could not be written")) << run.err;
     }
-    EXPECT_EQ(runRelievo("describe | head -c 10").err, ""); // who closes the pipe has what was wanted
+    const ProgramRun lost = runRelievo("describe parameters --json > /dev/full"); // more than a buffer of it
+    EXPECT_EQ(lost.exitCode, 1);
+    EXPECT_EQ(lost.err.find("Success"), std::string::npos) << lost.err;
+    // Who closes the pipe has what was wanted, also where its signal is ignored, as in services.
+    EXPECT_EQ(runRelievo("--version > /dev/null; trap '' PIPE; " RELIEVO_BIN "/relievo describe --json | true").err, "");
 }
 
 // A map of a set that cannot be read is left out with a warning; one that was asked for by name is not.
@@ -223,12 +227,13 @@ TEST(BadInput, MapsByHandThatCannotBeReadEndTheCommand)
 
 TEST(BadInput, WrongEnvironmentIsTold)
 {
+    TestFolder folder("environment");
     for (const auto& [variable, value] : {std::pair{"RELIEVO_THREADS", "abc"}, {"RELIEVO_THREADS", "0"}, {"RELIEVO_THREADS", "2x"},
              {"RELIEVO_SHADERS", "/nonexistent"}, {"RELIEVO_CACHE", "/proc/nope"}}) {
         const char* old = std::getenv(variable);
         const std::string before = old ? old : "";
         setenv(variable, value, 1);
-        const ProgramRun run = runRelievo("describe --json");
+        const ProgramRun run = runRelievo("bake sample:bricks@16 --map normal -o " + (folder / "n.png"));
         old ? setenv(variable, before.c_str(), 1) : unsetenv(variable);
         EXPECT_EQ(run.exitCode, 0) << variable;
         EXPECT_EQ(run.err.rfind("relievo: warning: " + std::string(variable) + '=' + value + ' ', 0), 0u) << run.err;
