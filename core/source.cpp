@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -179,16 +180,32 @@ Wrap wrapOf(const Parameters& parameters)
 
 namespace {
 
+// How many the panes' techniques search with that are not there.
+std::size_t boundsMissing(const State& state, const Resources& resources)
+{
+    std::set<Resources::BoundKey> missing;
+    for (std::size_t pane = 0; pane < state.panes.size(); ++pane)
+        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->bound.empty())
+            if (const Parameters parameters = effectiveParameters(state, pane); !boundFor(resources, *technique, parameters))
+                missing.insert(boundKey(*technique, parameters));
+    return missing.size();
+}
+
 // Makes the bound maps that the panes' techniques search with and that are not there; forgets the others.
 Expected<void> loadBounds(const State& state, Resources& resources, const Progress& progress)
 {
     std::map<Resources::BoundKey, Resources::Bound> bounds;
+    float done = 0.f;
+    const float all = float(std::max(boundsMissing(state, resources), std::size_t(1)));
     for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
         const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
         if (!technique || technique->bound.empty() || !resources.material->height)
             continue;
-        if (const auto made = makeBound(resources, *technique, effectiveParameters(state, pane), progress); !made)
+        const bool isThere = boundFor(resources, *technique, effectiveParameters(state, pane)) != nullptr;
+        const Progress share = progress.part(done / all, (done + 1.f) / all);
+        if (const auto made = makeBound(resources, *technique, effectiveParameters(state, pane), share); !made)
             return made;
+        done += isThere ? 0.f : 1.f;
         const Resources::BoundKey key = boundKey(*technique, effectiveParameters(state, pane));
         bounds[key] = resources.bounds[key];
     }
@@ -239,6 +256,8 @@ bool boundsFit(const State& state, const Resources& resources)
 Expected<Resources> loadResources(const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress)
 {
     Resources resources = previous;
+    const bool onlyBounds = resources.material && resources.material->slots == state.slots && resources.mesh
+        && resources.meshName == state.mesh && resources.environment && resources.environmentName == state.environment;
     if (!resources.material || resources.material->slots != state.slots) {
         auto material = loadMaterial(state.slots, images, previous.material.get(), progress.part(0.f, 0.7f));
         if (!material)
@@ -246,14 +265,14 @@ Expected<Resources> loadResources(const State& state, const DecodedImages& image
         resources.material = std::make_shared<const Material>(std::move(*material));
     }
     if (!resources.mesh || resources.meshName != state.mesh) {
-        auto mesh = openMesh(state.mesh, progress.part(0.7f, 0.9f));
+        auto mesh = openMesh(state.mesh, progress.part(0.7f, 0.8f));
         if (!mesh)
             return tl::unexpected(mesh.error());
         resources.mesh = std::make_shared<const Mesh>(std::move(*mesh));
         resources.meshName = state.mesh;
     }
     if (!resources.environment || resources.environmentName != state.environment) {
-        auto environment = openEnvironment(state.environment, progress.part(0.9f, 1.f));
+        auto environment = openEnvironment(state.environment, progress.part(0.8f, 0.9f));
         if (!environment)
             return tl::unexpected(environment.error());
         resources.environment = std::make_shared<const Environment>(std::move(*environment));
@@ -261,9 +280,9 @@ Expected<Resources> loadResources(const State& state, const DecodedImages& image
     }
     if (progress.cancelled())
         return failure(state.name, "cancelled");
-    progress.at(1.f);
-    if (const auto baked = loadBounds(state, resources, progress.part(0.9f, 1.f)); !baked)
+    if (const auto baked = loadBounds(state, resources, progress.part(onlyBounds ? 0.f : 0.9f, 1.f)); !baked)
         return tl::unexpected(baked.error());
+    progress.at(1.f);
     return resources;
 }
 

@@ -148,7 +148,7 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     if ((listHas(technique->maps, "height") || viewRow->isAgainstExact) && !maps.contains(MapKind::Height))
         return failure(state.name,
             std::string(technique->label) + (viewRow->isAgainstExact ? "'s error" : "") + " needs a height map and the material has none",
-            "Assign one, or choose flat or bump");
+            "Assign one, or choose Flat or Bump");
 
     Resources used = resources;
     std::erase_if(m->bounds,
@@ -164,7 +164,8 @@ Expected<void> Renderer::draw(const State& state, std::size_t pane, const Resour
     }
     const std::shared_ptr<const SearchTexture> bound = boundFor(used, *technique, parameters);
     if (!technique->bound.empty() && !bound)
-        return failure(state.name, "the map that " + std::string(technique->label) + " searches with is not made yet", "Wait a moment");
+        return failure(state.name, "the map that " + std::string(technique->label) + " searches with is not made yet",
+            "Wait until it is, or choose the technique again");
 
     const Mesh& mesh = *resources.mesh;
     CameraView camera = cameraView(state.camera, mesh.boundsMin, mesh.boundsMax, float(target.width) / float(std::max(target.height, 1)));

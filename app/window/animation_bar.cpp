@@ -6,7 +6,6 @@
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "core/mesh/pose.h"
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -20,7 +19,7 @@ AnimationBar::AnimationBar(Document& document, Assets& assets, QWidget* parent)
     , m_document(document)
     , m_assets(assets)
     , m_play(new QToolButton)
-    , m_clips(new QComboBox)
+    , m_clips(new ChoiceList)
     , m_slot(new QWidget)
     , m_label(new QLabel)
 {

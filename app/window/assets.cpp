@@ -77,13 +77,24 @@ constexpr auto kNone = [](const auto&) { return false; };
 Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObject(parent), m_document(document), m_messages(messages)
 {
     connect(&document, &Document::changed, this, &Assets::follow);
+    connect(&document, &Document::choseAgain, this, [this] { // what was stopped or failed is tried once more
+        if (m_background.busy() || !m_jobs.empty())
+            return;
+        m_followed.reset();
+        check();
+    });
     connect(&m_background, &Background::failed, this, [this](const QString& what) {
+        m_following = false;
         const Error error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"};
         m_jobs.empty() ? m_messages.set("follow", error) : refuse(error);
         jobEnded();
     });
     connect(&m_background, &Background::busyChanged, this, [this](bool busy) {
-        if (busy || m_jobs.empty())
+        if (busy)
+            return;
+        if (std::exchange(m_following, false))
+            return tellStopped();
+        if (m_jobs.empty())
             return;
         m_jobs.clear(); // cancelled
         m_refused = true;
@@ -91,6 +102,8 @@ Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObjec
         endChanges();
         if (!ready()) // never an empty window
             openDocument("sample:bricks", State{}, false);
+        else if (!fits(m_document.state()))
+            tellStopped(); // what was to be followed after it
     });
 }
 
@@ -122,16 +135,16 @@ void Assets::openDocument(const QString& source, const State& base, bool counted
     enqueue(Opening{source, m_document.state(), base, counted}, [](const Job& job) { return !job.change; });
 }
 
-void Assets::openState(const State& state, const Warnings& warnings)
+void Assets::openState(const State& state, const Warnings& warnings, const QString& file)
 {
-    const auto work = [this, state, warnings, before = m_document.state()](
+    const auto work = [this, state, warnings, file, before = m_document.state()](
                           const State&, const Shown& previous, const Progress& progress) -> Background::Then {
         Loaded loaded{state, Opened{state, {}, warnings}, {}, {}};
         if (const auto shown = loadWhatIsThere(state, {}, previous, progress))
             loaded.shown = *shown;
         else
             loaded.error = shown.error();
-        return [this, state, before, loaded] { opened({{}, before, state, false}, loaded); };
+        return [this, state, file, before, loaded] { opened({{}, before, state, false, false, {}, file}, loaded); };
     };
     enqueue(Job{work, true}, [](const Job& job) { return !job.change; });
 }
@@ -242,7 +255,7 @@ void Assets::runNext()
     if (m_jobs.empty())
         return check();
     if (m_background.busy())
-        m_followed.reset(); // is followed again after this
+        m_followed.reset(), m_following = false; // is followed again after this
     m_background.start(
         [this, work = m_jobs.front().work, now = m_document.state(), previous = m_shown](const Progress& progress) -> Background::Then {
             return [this, then = work(now, previous, progress)] {
@@ -286,8 +299,6 @@ void Assets::show(const Opening& opening, const Loaded& loaded, bool edited)
     const std::string source = opening.source.toStdString();
     const bool builtIn = isBuiltInSource(source);
     m_messages.clear("load");
-    if (opening.instead)
-        m_messages.set("load", *opening.instead);
     m_messages.clear("assigned");
     m_messages.set("opened", loaded.opened.warnings);
     take(loaded.shown);
@@ -295,11 +306,13 @@ void Assets::show(const Opening& opening, const Loaded& loaded, bool edited)
     State present = m_document.state();
     takeMaps(present, loaded.base, loaded.opened, builtIn);
     if (opening.base || isWhole(opening.source))
-        m_document.start(next, isProjectFile(source) ? QFileInfo(opening.source).absoluteFilePath() : QString());
+        m_document.start(next, isProjectFile(source) ? QFileInfo(opening.source).absoluteFilePath() : opening.file);
     else if (opening.asStep || edited)
         m_document.edit(tr("Open %1").arg(QString::fromStdString(next.name)), [&](State& state) { state = present; });
     else
         m_document.start(present, {});
+    if (opening.instead) // after the edit, which clears it
+        m_messages.set("load", *opening.instead);
     if (opening.counted && !builtIn)
         addRecentFile(QFileInfo(opening.source).absoluteFilePath());
     check();
@@ -314,65 +327,12 @@ void Assets::take(const Shown& shown)
     Q_EMIT resourcesChanged();
 }
 
-Assets::Needs Assets::needsOf(const State& state)
-{
-    Needs needs{state.slots, state.mesh, state.environment, {}};
-    for (std::size_t pane = 0; pane < state.panes.size(); ++pane)
-        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->bound.empty()) {
-            const Parameters parameters = effectiveParameters(state, pane);
-            needs.bounds.emplace_back(technique->bound, wrapOf(parameters), parameters.heightMips);
-        }
-    return needs;
-}
-
-// Undo, redo and pasted States name other files than those that are loaded, another technique searches with another map.
-void Assets::follow(Changes what)
-{
-    if (what & ~(Changes(Change::Camera) | Change::Moment | Change::View | Change::Name))
-        check();
-}
-
-void Assets::check()
-{
-    if (!ready() || !m_jobs.empty()) // the last job's end looks again
-        return;
-    const State& now = m_document.state();
-    if (fits(now)) {
-        m_followed.reset();
-        m_messages.clear("follow");
-        return m_background.cancel(); // it is pointless
-    }
-    if (m_followed == needsOf(now))
-        return;
-    m_followed = needsOf(now);
-    m_background.start([this, now, previous = m_shown](const Progress& progress) -> Background::Then {
-        const auto shown = loadWhatIsThere(now, {}, previous, progress);
-        return [this, shown] {
-            if (!shown)
-                return m_messages.set("follow", shown.error());
-            take(*shown);
-            check();
-        };
-    });
-}
-
 void Assets::refuse(const Error& error)
 {
     if (!cancelled(error))
         m_messages.set("load", error);
     m_refused = true;
     Q_EMIT refused();
-}
-
-bool Assets::holds(const State& state) const
-{
-    return ready() && resources().material->slots == state.slots && resources().meshName == state.mesh
-        && resources().environmentName == state.environment && !isBack(m_shown);
-}
-
-bool Assets::fits(const State& state) const
-{
-    return holds(state) && boundsFit(state, resources());
 }
 
 } // namespace relievo

@@ -31,6 +31,7 @@ public:
     bool locatesMesh(const QString& file) const; // it is missing, and `file` has its name
     const std::optional<StandIn>& missingEnvironment() const { return m_shown.environment; }
     Background& background() { return m_background; }
+    Messages& messages() const { return m_messages; }
 
     // Whether the files that the document names are those that are loaded (bound maps and what has moved may be missing).
     bool upToDate() const { return holds(m_document.state()); }
@@ -39,7 +40,8 @@ public:
     // Opens a SOURCE of cli.md as a new document. Maps keep the present mesh, camera and parameters; a project replaces all.
     void openDocument(const QString& source);
     void openDocument(const QString& source, const State& base, bool counted = true); // replaces all; counted: among the recent files
-    void openState(const State& state, const Warnings& warnings); // untitled
+    // file: the project that it belongs to, "" for untitled.
+    void openState(const State& state, const Warnings& warnings, const QString& file = {});
     // Takes maps into the present document, as one undo step, when that holds work; else as openDocument.
     void openInto(const QString& source);
 
@@ -68,6 +70,7 @@ private:
         std::optional<State> base; // of a new document; else the maps come into the present one
         bool counted = true, asStep = false;
         std::optional<Error> instead = {}; // of what could not be opened; stays told
+        QString file = {}; // of a State that is no project's own
     };
     struct Job {
         // In a thread of its own, from document and data as they are when its turn comes.
@@ -100,6 +103,8 @@ private:
     void take(const Shown& shown);
     void follow(Changes what);
     void check();
+    void tellStopped();
+    QString boundMissing() const; // the first map that a technique of the document searches with and that is not there
     void refuse(const Error& error);
     bool holds(const State& state) const;
     bool fits(const State& state) const;
@@ -109,6 +114,7 @@ private:
     Background m_background;
     std::list<Job> m_jobs; // the first one runs; none while the data only follows the document
     bool m_refused = false; // a pending change was
+    bool m_following = false; // it is being made to
     std::optional<Needs> m_followed; // what the data was last made to follow, running, cancelled or failed
 };
 

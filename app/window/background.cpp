@@ -44,8 +44,9 @@ Background::~Background()
         run.thread.request_stop();
 }
 
-void Background::start(std::function<Then(const Progress&)> work)
+void Background::start(std::function<Then(const Progress&)> work, const QString& what)
 {
+    m_what = what;
     for (Run& run : m_runs)
         run.thread.request_stop();
     const int id = ++m_lastId;

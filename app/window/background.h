@@ -19,7 +19,9 @@ public:
     // `work` runs in a thread of its own and returns what is to be done in the interface's thread afterwards; that is dropped
     // when the work was cancelled or other work was started since. Work that still runs is asked to stop first.
     using Then = std::function<void()>;
-    void start(std::function<Then(const Progress&)> work);
+    // what: as it is told beside the progress.
+    void start(std::function<Then(const Progress&)> work, const QString& what = tr("Loading"));
+    const QString& what() const { return m_what; }
     void cancel(); // no progress and no end will be heard of it
     bool busy() const { return m_current != 0; }
 
@@ -38,6 +40,7 @@ private:
     };
     std::list<Run> m_runs; // the current one last, before it those that have yet to stop
     int m_current = 0, m_lastId = 0;
+    QString m_what;
 };
 
 } // namespace relievo

@@ -12,7 +12,8 @@ void MainWindow::copyPicture()
 {
     const QImage picture = m_viewport->picture();
     if (picture.isNull())
-        return m_messages.set("copy", Error{"a pane cannot be drawn now", tr("Copy picture").toStdString(), "Nothing was copied"});
+        return m_messages.set(
+            "copy", Error{"one of the pictures cannot be drawn now", tr("Copy picture").toStdString(), "Nothing was copied"});
     m_messages.clear("copy");
     QApplication::clipboard()->setImage(picture);
 }

@@ -10,6 +10,7 @@
 #include <QStyle>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 namespace relievo {
 namespace {
@@ -146,6 +147,11 @@ bool Segmented::event(QEvent* event)
         return true;
     }
     return QWidget::event(event);
+}
+
+void ChoiceList::wheelEvent(QWheelEvent* event)
+{
+    event->ignore(); // passed on to the parent
 }
 
 Switch::Switch(QWidget* parent) : QAbstractButton(parent)

@@ -5,6 +5,7 @@
 #include "app/window/slider_scale.h"
 #include <QAbstractButton>
 #include <QColor>
+#include <QComboBox>
 #include <QFrame>
 #include <QLabel>
 #include <QStringList>
@@ -31,6 +32,7 @@ Q_SIGNALS:
     void pressed();
     void moved(double value);
     void released();
+    void resumed(); // a second press follows at once: what comes up to `released` belongs to the gesture of the first
     void resetWanted();
 
 protected:
@@ -88,6 +90,16 @@ private:
     int width(int index) const;
     QVector<Item> m_items;
     int m_current = -1, m_hovered = -1;
+};
+
+// A list to choose from. The wheel scrolls what it stands in and changes nothing; once it is open, the wheel is its popup's.
+class ChoiceList : public QComboBox {
+    Q_OBJECT
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override;
 };
 
 class Switch : public QAbstractButton {

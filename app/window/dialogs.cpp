@@ -35,8 +35,6 @@ QFileDialog* chooser(QWidget* parent, const QString& title, const QString& key)
 {
     auto* dialog = new QFileDialog(parent, title, QSettings().value("folders/" + key).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QFileDialog::fileSelected,
-        [key](const QString& file) { QSettings().setValue("folders/" + key, QFileInfo(file).absolutePath()); });
     return dialog;
 }
 } // namespace
@@ -56,8 +54,16 @@ void askForFile(QWidget* parent, const QString& title, FileKind kind, std::funct
         dialog->setNameFilters(
             {QString("%1 (*.%2)").arg(rowOf(kind).label, QString(rowOf(kind).suffixes).replace(" ", " *.")), "All files (*)"});
     }
+    QObject::connect(dialog, &QFileDialog::fileSelected,
+        [kind](const QString& file) { QSettings().setValue(QString("folders/") + rowOf(kind).key, QFileInfo(file).absolutePath()); });
     QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(then));
     dialog->open();
+}
+
+void rememberSaved(const QString& file)
+{
+    const QFileInfo saved(file);
+    QSettings().setValue("folders/save-" + saved.suffix().toLower(), saved.absolutePath());
 }
 
 void askWhereToSave(

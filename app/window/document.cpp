@@ -84,8 +84,12 @@ void Document::edit(const QString& text, const std::function<void(State&)>& chan
     change(after);
     State sameSight = after;
     keepSight(sameSight, m_state);
-    if (sameSight == m_state)
-        return replace(after);
+    if (sameSight == m_state) {
+        replace(after);
+        if (!text.isEmpty() && !inGesture())
+            Q_EMIT choseAgain();
+        return;
+    }
     m_undo.push(new Edit(*this, std::move(after), text));
     if (!inGesture())
         ++m_gesture;
@@ -95,6 +99,12 @@ void Document::beginGesture()
 {
     if (m_depth++ == 0)
         ++m_gesture;
+}
+
+void Document::resumeGesture()
+{
+    if (m_depth++ == 0)
+        --m_gesture; // the number that it had before its end
 }
 
 void Document::endGesture()

@@ -42,6 +42,7 @@ public:
     void edit(const QString& text, const std::function<void(State&)>& change);
     void beginGesture(); // slider or mouse pressed; a gesture may lie in another
     void endGesture(); // released
+    void resumeGesture(); // the last one goes on, for the second press of a double click
     bool inGesture() const { return m_depth > 0; }
 
     // Another document begins: nothing to undo, nothing unsaved. `file`: the project it was read from, "" for untitled.
@@ -58,6 +59,7 @@ Q_SIGNALS:
     void changed(relievo::Changes what);
     void titleChanged(); // file, name or modified
     void started(); // another document
+    void choseAgain(); // an edit asked for what is there already (not by a drag)
     void gestureEnded();
 
 private:

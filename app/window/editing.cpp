@@ -112,4 +112,13 @@ void setPaneCount(State& state, int count)
     }
 }
 
+void SecondPane::show(State& state, bool on)
+{
+    if (state.panes.size() == 2)
+        m_last = state.panes[1];
+    setPaneCount(state, on ? 2 : 1);
+    if (on && m_last)
+        state.panes[1] = *m_last;
+}
+
 } // namespace relievo

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/state/state.h"
+#include <optional>
 #include <string_view>
 
 namespace relievo {
@@ -26,5 +27,15 @@ bool isShown(const State& state, const ParameterRow& row);
 
 // One pane or two; the second begins as the first with another technique.
 void setPaneCount(State& state, int count);
+
+// Turns the second pane on and off, and brings it back as it last was.
+class SecondPane {
+public:
+    void show(State& state, bool on);
+    void forget() { m_last.reset(); } // another document begins
+
+private:
+    std::optional<Pane> m_last;
+};
 
 } // namespace relievo

@@ -15,10 +15,12 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QTimer>
 #include <QToolButton>
 
 namespace relievo {
 namespace {
+constexpr int kToldFor = 30000; // ms that a success stands in the message line
 constexpr int kSizes[] = {0, 512, 1024, 2048, 4096}; // texels; 0 as the maps are
 
 QLabel* caption(const QString& text)
@@ -43,9 +45,11 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     , m_target(new QComboBox)
     , m_size(new QComboBox)
     , m_help(new QLabel)
+    , m_which(new QLabel)
     , m_result(new QLabel)
     , m_out(new QLineEdit)
     , m_export(new QPushButton(tr("Export")))
+    , m_cancel(new QPushButton(tr("Cancel")))
     , m_progress(new QProgressBar)
 {
     setWindowTitle(tr("Export"));
@@ -57,6 +61,7 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     m_help->setWordWrap(true);
     m_help->setProperty("role", "dim");
     m_help->setFont(smallFont());
+    m_which->setObjectName("which");
     m_out->setMinimumWidth(320);
     m_out->setFixedHeight(kRowHeight);
     m_out->setObjectName("out");
@@ -66,6 +71,9 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     m_result->hide();
     m_export->setDefault(true);
     m_export->setObjectName("run");
+    m_cancel->setAutoDefault(false);
+    m_cancel->setObjectName("cancel");
+    m_cancel->hide();
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 1000);
     m_progress->hide();
@@ -90,30 +98,40 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_progress, 1);
     buttons->addStretch(1);
+    buttons->addWidget(m_cancel);
     buttons->addWidget(close);
     buttons->addWidget(m_export);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(4 * kGrid);
     layout->addLayout(grid);
+    layout->addWidget(m_which);
     layout->addWidget(m_result);
     layout->addStretch(1);
     layout->addWidget(hairline());
     layout->addLayout(buttons);
 
     connect(m_target, &QComboBox::currentIndexChanged, this, &ExportDialog::targetChosen);
-    connect(m_out, &QLineEdit::textEdited, this, [this] { m_named = true; });
+    connect(m_out, &QLineEdit::textEdited, this, [this] {
+        m_named = true;
+        m_result->hide(); // of another name
+    });
+    connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::stop);
+    connect(&document, &Document::changed, this, &ExportDialog::showWhich);
     connect(&document, &Document::started, this, &ExportDialog::documentStarted);
     connect(browseButton, &QToolButton::clicked, this, &ExportDialog::browse);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::run);
     connect(&m_background, &Background::progressed, this, [this](float share) { m_progress->setValue(int(share * 1000)); });
-    connect(&m_background, &Background::failed, this,
-        [this](const QString& what) { tell(failure(m_out->text().toStdString(), what.toStdString(), "Nothing usable was written")); });
+    connect(&m_background, &Background::failed, this, [this](const QString& what) {
+        written(m_out->text(), failure(m_out->text().toStdString(), what.toStdString(), "Nothing usable was written"));
+    });
     connect(&m_background, &Background::busyChanged, this, [this](bool busy) {
         m_export->setEnabled(!busy);
+        m_cancel->setVisible(busy);
         m_progress->setVisible(busy);
     });
+    showWhich();
     targetChosen();
 }
 
@@ -127,6 +145,22 @@ QString ExportDialog::proposal() const
     QString name = m_document.name().toLower();
     name.replace(' ', '_');
     return QDir(folderOfExports()).filePath(name + qt(target().suffix));
+}
+
+QString ExportDialog::out() const
+{
+    const QString typed = m_out->text().trimmed(), suffix = qt(target().suffix);
+    if (typed.isEmpty())
+        return {};
+    return QDir::cleanPath(QDir(folderOfExports()).absoluteFilePath(typed.endsWith(suffix, Qt::CaseInsensitive) ? typed : typed + suffix));
+}
+
+void ExportDialog::showWhich()
+{
+    const State& state = m_document.state();
+    m_which->setVisible(state.panes.size() > 1);
+    if (const TechniqueRow* technique = findTechnique(state.panes.front().technique))
+        m_which->setText(tr("Picture A (%1) is exported.").arg(qt(technique->label)));
 }
 
 void ExportDialog::setTarget(int row)
@@ -144,6 +178,7 @@ void ExportDialog::targetChosen()
 {
     m_help->setText(qt(target().help));
     m_named = false;
+    m_result->hide(); // of another target
     propose();
 }
 
@@ -155,6 +190,7 @@ void ExportDialog::propose()
 
 void ExportDialog::documentStarted()
 {
+    m_assets.messages().clear("export");
     m_replaceable.clear();
     if (busy())
         return;
@@ -164,6 +200,7 @@ void ExportDialog::documentStarted()
 
 void ExportDialog::showEvent(QShowEvent* event)
 {
+    m_assets.messages().clear("export");
     if (!busy() && !event->spontaneous()) {
         m_result->hide(); // of the last time
         propose();
@@ -191,9 +228,10 @@ void ExportDialog::run()
     if (m_assets.missingMesh()) // what would be written is as deep as the mesh is large
         return tell(failure(m_document.state().mesh, "this mesh is not there, and its size decides the depth in metres",
             "Put it back, or choose another one"));
-    const QString out = m_out->text().trimmed();
+    const QString out = this->out();
     if (out.isEmpty())
         return tell(failure(tr("Where to").toStdString(), "no file is named", "Name one"));
+    m_out->setText(out); // what is written is what is shown
     const QFileInfo there(out);
     const bool taken = there.isDir() ? !QDir(out).isEmpty() : there.exists();
     if (taken && !m_replaceable.contains(there.absoluteFilePath()))
@@ -203,15 +241,37 @@ void ExportDialog::run()
 
 void ExportDialog::write(const QString& out)
 {
-    const QString path = QFileInfo(out).absoluteFilePath();
-    m_replaceable.append(path);
-    QSettings().setValue("folders/export", QFileInfo(out).absolutePath());
+    m_replaceable.append(out);
+    m_result->hide();
+    m_assets.messages().clear("export");
     const int size = kSizes[m_size->currentIndex()];
     m_background.start([this, row = target(), state = m_document.state(), resources = m_assets.resources(), out, size](
                            const Progress& progress) -> Background::Then {
         const auto result = row.run(ExportJob{state, resources, out.toStdString(), size, progress});
-        return [this, result] { tell(result); };
+        return [this, out, result] { written(out, result); };
     });
+}
+
+void ExportDialog::written(const QString& out, const Expected<Exported>& result)
+{
+    if (result) {
+        QSettings().setValue("folders/export", QFileInfo(out).absolutePath());
+        rememberSaved(out);
+    }
+    tell(result);
+    if (isVisible())
+        return;
+    Messages& messages = m_assets.messages();
+    if (!result)
+        return messages.set("export", result.error());
+    messages.setNotice("export", tr("Exported to %1.").arg(QDir::toNativeSeparators(out)));
+    QTimer::singleShot(kToldFor, this, [this, &messages] { messages.clear("export"); });
+}
+
+void ExportDialog::stop()
+{
+    m_background.cancel();
+    tell(failure(m_out->text().toStdString(), "the export was stopped", "Files that it had written by then are still there"));
 }
 
 void ExportDialog::tell(const Expected<Exported>& result)

@@ -24,6 +24,7 @@ public:
     bool busy() const { return m_background.busy(); }
 
 public Q_SLOTS:
+    // While the dialog is closed, the end is told in the message line.
     void run(); // asks first when something lies there that is not known to be replaceable
 
 Q_SIGNALS:
@@ -35,21 +36,25 @@ protected:
 private:
     const ExportRow& target() const;
     QString proposal() const;
+    QString out() const; // as typed, made whole: absolute and with the target's suffix
     void targetChosen();
     void propose();
     void documentStarted();
     void browse();
     void write(const QString& out);
+    void written(const QString& out, const Expected<Exported>& result);
+    void stop();
     void tell(const Expected<Exported>& result);
+    void showWhich();
     const Document& m_document;
     const Assets& m_assets;
     Background m_background;
     QComboBox *m_target, *m_size;
-    QLabel *m_help, *m_result;
+    QLabel *m_help, *m_which, *m_result;
     QLineEdit* m_out;
     bool m_named = false; // the path was typed or chosen: it is not proposed anew
     QStringList m_replaceable; // chosen knowingly, or written from this document
-    QPushButton* m_export;
+    QPushButton *m_export, *m_cancel;
     QProgressBar* m_progress;
 };
 

@@ -93,6 +93,7 @@ void Files::saveTo(const QString& file, const std::function<void()>& then)
         return m_messages.set("save", saved.error());
     m_messages.clear("save");
     addRecentFile(QFileInfo(file).absoluteFilePath());
+    rememberSaved(file);
     if (then)
         then();
 }

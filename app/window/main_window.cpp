@@ -17,7 +17,6 @@
 #include "core/state/views.h"
 #include <QApplication>
 #include <QCloseEvent>
-#include <QComboBox>
 #include <QDropEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -40,7 +39,7 @@ MainWindow::MainWindow()
     , m_maps(new MapPanel(m_document, m_assets))
     , m_parameters(new ParameterPanel(m_document))
     , m_techniques(new TechniqueBar)
-    , m_view(new QComboBox)
+    , m_view(new ChoiceList)
     , m_line(new MessageLine(m_messages, m_assets.background()))
     , m_splitter(new QSplitter)
 {
@@ -56,7 +55,7 @@ MainWindow::MainWindow()
     for (QWidget* part : {static_cast<QWidget*>(m_maps), centre, static_cast<QWidget*>(m_parameters)})
         m_splitter->addWidget(part);
     m_maps->setMinimumWidth(284); // the row of shapes
-    m_parameters->setMinimumWidth(300);
+    m_parameters->setMinimumWidth(324); // the longest name beside a short slider
     m_splitter->setStretchFactor(1, 1);
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
@@ -97,6 +96,7 @@ QWidget* MainWindow::makeTopBar()
     samples->setPopupMode(QToolButton::InstantPopup);
     samples->setToolTip(tr("Built-in materials"));
     auto* sampleMenu = new QMenu(samples);
+    sampleMenu->setToolTipsVisible(true);
     m_files->fillSamples(*sampleMenu);
     samples->setMenu(sampleMenu);
 
@@ -110,8 +110,10 @@ QWidget* MainWindow::makeTopBar()
         rule->setFixedHeight(20);
         return rule;
     };
-    for (const ViewRow& row : kViews)
+    for (const ViewRow& row : kViews) {
         m_view->addItem(qt(row.label), qt(row.key));
+        m_view->setItemData(m_view->count() - 1, qt(row.help), Qt::ToolTipRole);
+    }
     m_view->setObjectName("view");
     auto* line = new QHBoxLayout(top);
     line->setContentsMargins(8, 4, 8, 4);
@@ -155,9 +157,7 @@ Handlers MainWindow::handlers()
         {"paste-camera", [this](bool) { pasteCamera(); }},
         {"wireframe", [parameter](bool on) { parameter("wireframe", on); }},
         {"two-panes",
-            [this](bool on) {
-                m_document.edit(on ? tr("Two pictures") : tr("One picture"), [&](State& state) { setPaneCount(state, on ? 2 : 1); });
-            }},
+            [this](bool on) { m_document.edit(m_actions["two-panes"]->text(), [&](State& state) { m_second.show(state, on); }); }},
         {"frame", [this](bool) { m_document.edit({}, [](State& state) { state.camera = framed(state.camera); }); }},
         {"reset-camera", [this](bool) { m_document.edit({}, [](State& state) { state.camera = Camera{}; }); }},
         {"light-theme",
@@ -181,6 +181,7 @@ void MainWindow::connectAll()
             m_viewport->setActivePane(scope == Scope::A ? 0 : 1);
     });
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
+    connect(&m_document, &Document::started, this, [this] { m_second.forget(); });
     connect(&m_document, &Document::titleChanged, this, &MainWindow::updateTitle);
     QUndoStack& undo = m_document.undoStack();
     const auto tell = [](QAction* action, const QString& verb, bool can, const QString& text) {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "app/window/assets.h"
+#include "app/window/editing.h"
 #include "app/window/menus.h"
 #include <QMainWindow>
 
@@ -77,6 +78,7 @@ private:
     QSplitter* m_splitter;
     ExportDialog* m_export = nullptr;
     Actions m_actions;
+    SecondPane m_second;
     bool m_closing = false; // the question has been answered
 };
 

@@ -8,7 +8,6 @@
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "core/mesh/pictures.h"
-#include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -49,7 +48,7 @@ void showFile(ElidedLabel& label, const std::string& file, bool missing, const c
 QString meshFacts(const Mesh& mesh)
 {
     const glm::vec3 size = mesh.boundsMax - mesh.boundsMin;
-    return QObject::tr("%L1 triangles   %2 \u00d7 %3 \u00d7 %4 m")
+    return QObject::tr("%1 triangles   %2 \u00d7 %3 \u00d7 %4 m")
         .arg(mesh.indices.size() / 3)
         .arg(double(size.x), 0, 'g', 3)
         .arg(double(size.y), 0, 'g', 3)
@@ -126,7 +125,7 @@ void MapPanel::addMesh(Section& section)
     m_shapes->setObjectName("shapes");
     auto* open = lineButton("mesh", tr("Open a mesh: glTF, OBJ, PLY, STL, OFF"));
     section.body()->addWidget(m_shapes);
-    m_parts = new QComboBox;
+    m_parts = new ChoiceList;
     m_parts->setObjectName("parts");
     m_parts->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a long name does not widen the panel
     m_parts->setToolTip(

@@ -6,7 +6,6 @@
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "app/window/thumbnails.h"
-#include <QComboBox>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -54,7 +53,7 @@ MapRow::MapRow(const MapKindRow& kind, QWidget* parent)
     , m_invert(kind.kind == MapKind::Normal ? toolButton("flip", tr("Green flip: the map is DirectX style"), this)
                                             : toolButton("invert", tr("Invert: black for white"), this))
     , m_clear(toolButton("clear", tr("Clear this map"), this))
-    , m_channel(new QComboBox(this))
+    , m_channel(new ChoiceList(this))
 {
     setObjectName("map-" + qt(kind.key));
     setAcceptDrops(true);

@@ -41,7 +41,7 @@ QLabel* dimLabel(const QString& text)
 QMenu* menuOf(QMenuBar* bar, std::string_view title)
 {
     for (QAction* action : bar->actions())
-        if (action->menu() && action->menu()->title() == qt(title))
+        if (action->menu() && action->menu()->title().remove('&') == qt(title))
             return action->menu();
     return nullptr;
 }
@@ -52,7 +52,7 @@ Actions makeActions(QWidget* window, QMenuBar* bar, const Handlers& handlers)
     for (const ActionRow& row : kActions) {
         QMenu* menu = menuOf(bar, row.menu);
         if (!menu)
-            menu = bar->addMenu(qt(row.menu));
+            menu = bar->addMenu('&' + qt(row.menu)); // Alt and its first letter open it
         if (row.startsGroup)
             menu->addSeparator();
         auto* action = new QAction(qt(row.label), window);
@@ -84,6 +84,7 @@ QToolButton* toolButton(QAction* action)
 QMenu* lazyMenu(QMenu* before, QAction* beforeAction, const QString& title, std::function<void(QMenu&)> fill)
 {
     auto* menu = new QMenu(title, before);
+    menu->setToolTipsVisible(true);
     before->insertMenu(beforeAction, menu);
     QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, fill = std::move(fill)] {
         menu->clear();
@@ -111,7 +112,7 @@ void showShortcuts(QWidget* parent)
     for (const GestureRow& row : kGestures)
         add(0, qt(row.text), qt(row.does));
     add(0, QObject::tr("Wheel"), QObject::tr("move closer or away"));
-    add(0, QObject::tr("1, 2, 3 ..."), QObject::tr("choose the view"));
+    add(0, QObject::tr("1, 2, 3 ... 9, 0, -"), QObject::tr("choose the view"));
     add(0, QObject::tr("Ctrl + 1, 2, 3 ..."), QObject::tr("choose the technique"));
     add(0, QObject::tr("In the panel"), {}, true);
     add(0, QObject::tr("Double click"), QObject::tr("back to the default"));
@@ -121,6 +122,7 @@ void showShortcuts(QWidget* parent)
     for (const ActionRow& row : kActions)
         if (!row.shortcut.empty())
             add(1, QKeySequence(qt(row.shortcut)).toString(QKeySequence::NativeText), qt(row.label).remove("..."));
+    add(1, "F10", QObject::tr("Open the menus"));
     dialog->show();
 }
 

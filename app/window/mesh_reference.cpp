@@ -12,13 +12,11 @@ MeshReference::MeshReference(Document& document, Assets& assets, Messages& messa
     , m_assets(assets)
     , m_messages(messages)
 {
-    connect(&document, &Document::changed, this, [this](Changes what) {
-        if (what & ~Changes(Change::Name))
-            forget();
-    });
-    connect(&assets, &Assets::resourcesChanged, this, &MeshReference::forget);
+    connect(&document, &Document::changed, this, &MeshReference::follow);
+    connect(&assets, &Assets::resourcesChanged, this, &MeshReference::follow);
     connect(&m_background, &Background::failed, this, [this](const QString& what) {
-        m_messages.set("reference", {{true, tr("The displaced mesh could not be made: %1.").arg(what)}});
+        m_told = {{true, tr("The displaced mesh could not be made: %1.").arg(what)}};
+        tell();
     });
 }
 
@@ -30,16 +28,45 @@ bool MeshReference::isShown() const
 Resources MeshReference::resourcesOf(int pane) const
 {
     Resources resources = m_assets.resources();
-    resources.seen = m_seen[std::size_t(pane)];
+    if (isShown())
+        resources.seen = m_seen[std::size_t(pane)];
     return resources;
 }
 
-void MeshReference::forget()
+MeshReference::Question MeshReference::question() const
 {
-    m_background.cancel();
-    m_seen = {};
-    m_width = m_height = 0;
-    m_messages.set("reference", QList<Message>());
+    const State& state = m_document.state();
+    const Resources& resources = m_assets.resources();
+    Question question{state.camera, state.part, {}, resources.material->height->identity(), resources.mesh};
+    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
+        const Parameters parameters = effectiveParameters(state, pane);
+        Parameters& kept = question.panes.emplace_back();
+        for (const ParameterRow& row : kParameters)
+            if (row.shown == "animated" || (row.group == Group::Shape && row.key != "normalStrength"))
+                set(kept, row, get(parameters, row));
+    }
+    return question;
+}
+
+void MeshReference::follow()
+{
+    const bool isAnother = isShown() && m_question != question();
+    if (isAnother || (!isShown() && m_background.busy())) {
+        m_background.cancel();
+        m_seen = {}, m_told = {};
+        m_question.reset();
+        m_width = m_height = 0;
+    }
+    tell();
+}
+
+void MeshReference::tell()
+{
+    m_messages.set("reference", isShown() ? m_told : QList<Message>());
+    if (isShown() && (m_width == 0 || m_background.busy()))
+        m_messages.setNotice("tracing", tr("The error is against the flat relief until the displaced mesh has been traced."));
+    else
+        m_messages.clear("tracing");
 }
 
 void MeshReference::want(int width, int height)
@@ -47,6 +74,7 @@ void MeshReference::want(int width, int height)
     if (!isShown() || (width == m_width && height == m_height)) // also when it could not be made
         return;
     m_width = width, m_height = height;
+    m_question = question();
     m_background.start(
         [this, state = m_document.state(), resources = m_assets.resources(), width, height](const Progress& progress) -> Background::Then {
             std::array<std::shared_ptr<const SeenDistances>, 2> seen;
@@ -62,11 +90,12 @@ void MeshReference::want(int width, int height)
                     told.append({false, QString::fromStdString(warning.text)});
             }
             return [this, seen, told] {
-                m_messages.set("reference", told);
-                m_seen = seen;
+                m_told = told, m_seen = seen;
+                tell();
                 Q_EMIT made();
             };
         });
+    tell();
 }
 
 } // namespace relievo

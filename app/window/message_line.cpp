@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace relievo {
 namespace {
@@ -40,6 +41,7 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
     , m_list(new QScrollArea(this))
     , m_entries(new QWidget)
     , m_work(new QWidget(this))
+    , m_doing(new QLabel)
     , m_lines(new QVBoxLayout(m_entries))
     , m_count(new QToolButton(this))
     , m_text(new ElidedLabel(this))
@@ -56,6 +58,7 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
     m_count->setIconSize({16, 16});
     m_count->setToolTip(tr("Shows or hides all messages"));
     m_text->setObjectName("message-text");
+    m_doing->setObjectName("doing");
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 1000);
     m_progress->setFixedWidth(160);
@@ -63,10 +66,10 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
     cancel->setObjectName("cancel");
     cancel->setIcon(icon("clear"));
     cancel->setIconSize({12, 12});
-    cancel->setToolTip(tr("Stop loading"));
+    cancel->setToolTip(tr("Stop"));
     auto* workLine = new QHBoxLayout(m_work);
     workLine->setContentsMargins(0, 0, 0, 0);
-    workLine->addWidget(new QLabel(tr("Loading")));
+    workLine->addWidget(m_doing);
     workLine->addWidget(m_progress);
     workLine->addWidget(cancel);
     m_work->hide();
@@ -90,9 +93,13 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
     connect(&messages, &Messages::changed, this, &MessageLine::refresh);
     connect(m_count, &QToolButton::clicked, this, [this] { setOpen(!m_open); });
     connect(cancel, &QToolButton::clicked, &background, &Background::cancel);
-    connect(&background, &Background::progressed, this, [this](float share) { m_progress->setValue(int(share * 1000)); });
+    connect(&background, &Background::progressed, this, [this, &background](float share) {
+        m_doing->setText(background.what());
+        m_progress->setValue(int(share * 1000));
+    });
     connect(&background, &Background::busyChanged, this, [this, &background](bool busy) {
         m_progress->setValue(0);
+        m_doing->setText(background.what());
         if (!busy)
             return m_work->hide();
         QTimer::singleShot(kShowWorkAfter, this, [this, &background] { m_work->setVisible(background.busy()); });
@@ -120,7 +127,10 @@ void MessageLine::changeEvent(QEvent* event)
 
 void MessageLine::refresh()
 {
-    const QList<Message> all = m_messages.all();
+    QList<Message> all = m_messages.all();
+    const auto notices = std::ranges::find(all, true, &Message::isNotice);
+    const QString notice = notices == all.end() ? QString() : notices->text;
+    all.erase(notices, all.end());
     m_open = m_open && !all.isEmpty();
     fillList(m_open ? all : QList<Message>{});
     m_list->setVisible(m_open);
@@ -128,8 +138,9 @@ void MessageLine::refresh()
     m_count->setVisible(!all.isEmpty());
     m_count->setText(' ' + counted(all));
     m_count->setIcon(icon(!all.isEmpty() && all.front().isError ? "error" : "warning"));
-    const QString said = all.isEmpty() ? QString::fromUtf8(kMouseHelp) : m_open ? QString() : all.front().text;
-    setRole(*m_text, all.isEmpty() ? "dim" : "");
+    const QString told = all.isEmpty() ? QString::fromUtf8(kMouseHelp) : m_open ? QString() : all.front().text;
+    const QString said = notice.isEmpty() ? told : notice; // it goes by itself
+    setRole(*m_text, all.isEmpty() && notice.isEmpty() ? "dim" : "");
     m_text->setFullText(said);
 }
 

@@ -6,6 +6,7 @@
 #include "app/window/messages.h"
 #include <QWidget>
 
+class QLabel;
 class QProgressBar;
 class QScrollArea;
 class QToolButton;
@@ -35,6 +36,7 @@ private:
     bool m_open = false;
     QScrollArea* m_list;
     QWidget *m_entries, *m_work;
+    QLabel* m_doing;
     QVBoxLayout* m_lines;
     QToolButton* m_count;
     ElidedLabel* m_text;

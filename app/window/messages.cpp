@@ -8,12 +8,13 @@ namespace relievo {
 
 void Messages::set(const QString& source, const QList<Message>& messages)
 {
-    if (m_bySource.value(source) == messages)
+    const auto there = std::ranges::find(m_bySource, source, &std::pair<QString, QList<Message>>::first);
+    if (there == m_bySource.end() ? messages.isEmpty() : there->second == messages)
         return;
-    if (messages.isEmpty())
-        m_bySource.remove(source);
-    else
-        m_bySource[source] = messages;
+    if (there != m_bySource.end())
+        m_bySource.erase(there);
+    if (!messages.isEmpty())
+        m_bySource.prepend({source, messages});
     Q_EMIT changed();
 }
 
@@ -33,11 +34,11 @@ void Messages::set(const QString& source, const Error& error)
 QList<Message> Messages::all() const
 {
     QList<Message> list;
-    for (const QList<Message>& messages : m_bySource)
+    for (const auto& [source, messages] : m_bySource)
         for (const Message& one : messages)
             if (!list.contains(one))
                 list.append(one);
-    std::stable_partition(list.begin(), list.end(), [](const Message& one) { return one.isError; });
+    std::ranges::stable_sort(list, {}, [](const Message& one) { return one.isError ? 0 : one.isNotice ? 2 : 1; });
     return list;
 }
 

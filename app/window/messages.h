@@ -4,15 +4,16 @@
 #pragma once
 #include "core/error.h"
 #include <QList>
-#include <QMap>
 #include <QObject>
 #include <QString>
+#include <utility>
 
 namespace relievo {
 
 struct Message {
     bool isError = false; // else a warning: the work went on
     QString text; // one sentence
+    bool isNotice = false; // neither: how the work goes on; shown in the line alone, so that its coming and going moves nothing
     bool operator==(const Message&) const = default;
 };
 
@@ -25,15 +26,16 @@ public:
     void set(const QString& source, const QList<Message>& messages);
     void set(const QString& source, const Warnings& warnings);
     void set(const QString& source, const Error& error);
+    void setNotice(const QString& source, const QString& text) { set(source, QList<Message>{{false, text, true}}); }
     void clear(const QString& source) { set(source, QList<Message>{}); }
 
-    QList<Message> all() const; // errors first
+    QList<Message> all() const; // errors first, notices last; among equals those of the part that spoke last
 
 Q_SIGNALS:
     void changed();
 
 private:
-    QMap<QString, QList<Message>> m_bySource;
+    QList<std::pair<QString, QList<Message>>> m_bySource; // newest first
 };
 
 } // namespace relievo

@@ -3,9 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/number_field.h"
 #include "app/window/slider_scale.h"
+#include "app/window/text.h"
 #include <QKeyEvent>
-#include <QLocale>
 #include <QTimer>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -86,10 +87,12 @@ void NumberField::commit()
 {
     if (!isModified())
         return;
-    bool sound = false;
-    double typed = text().trimmed().replace(',', '.').toDouble(&sound);
-    if (!sound || !std::isfinite(typed))
-        return setValue(m_value);
+    const std::optional<double> read = typedNumber(m_row, text());
+    if (!read) {
+        setValue(m_value);
+        return sayRange();
+    }
+    double typed = *read;
     if (std::holds_alternative<int Parameters::*>(m_row.member))
         typed = std::round(typed);
     const double allowed = std::clamp(typed, double(m_row.min), double(m_row.max));
@@ -98,7 +101,34 @@ void NumberField::commit()
     if (differs)
         Q_EMIT entered(allowed);
     if (allowed != typed)
-        Q_EMIT outOfRange();
+        sayRange();
+}
+
+void NumberField::sayRange()
+{
+    const QString range = tr("%1 to %2 %3").arg(plainNumber(m_row.min), plainNumber(m_row.max), qt(m_row.unit)).trimmed();
+    // Later: a tooltip goes when the focus moves, and that is often what brought us here.
+    QTimer::singleShot(0, this, [this, range] { QToolTip::showText(mapToGlobal(QPoint(0, height())), range, this, {}, 4000); });
+}
+
+std::optional<double> typedNumber(const ParameterRow& row, QString text)
+{
+    text = text.trimmed().replace(',', '.');
+    if (text.compare(numberText(row, 0), Qt::CaseInsensitive) == 0) // "auto"
+        return 0.;
+    const auto drop = [&](const QString& unit) {
+        const bool there = !unit.isEmpty() && text.endsWith(unit, Qt::CaseInsensitive);
+        if (there)
+            text.chop(unit.size());
+        return there;
+    };
+    const bool isShare = row.max <= 1 && !std::holds_alternative<int Parameters::*>(row.member);
+    const double scale = isShare && drop("%") ? 0.01 : 1.;
+    if (row.unit != "deg" || !drop(QString::fromUtf8("\u00b0")))
+        drop(qt(row.unit));
+    bool sound = false;
+    const double typed = text.trimmed().toDouble(&sound) * scale;
+    return sound && std::isfinite(typed) ? std::optional(typed) : std::nullopt;
 }
 
 void commitTyping(const QWidget* window)

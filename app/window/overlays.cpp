@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/overlays.h"
+#include "app/window/slider_scale.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
 #include "core/state/techniques.h"
@@ -51,14 +52,23 @@ void PaneCaption::show(const QString& letter, const QString& technique, const QS
     if (std::tie(letter, technique, cost, active) == std::tie(m_letter, m_technique, m_cost, m_active))
         return;
     m_letter = letter, m_technique = technique, m_cost = cost, m_active = active;
-    resize(sizeHint());
     update();
+}
+
+int PaneCaption::wide(bool withCost) const
+{
+    const auto advance = [&](const QString& text) { return text.isEmpty() ? 0 : fontMetrics().horizontalAdvance(text) + kPadding; };
+    return advance(m_letter) + advance(m_technique) + (withCost && !m_cost.isEmpty() ? advance(m_cost) + kPadding : 0) + kPadding;
 }
 
 QSize PaneCaption::sizeHint() const
 {
-    const auto wide = [&](const QString& text) { return text.isEmpty() ? 0 : fontMetrics().horizontalAdvance(text) + kPadding; };
-    return {wide(m_letter) + wide(m_technique) + (m_cost.isEmpty() ? 0 : wide(m_cost) + kPadding) + kPadding, kRowHeight};
+    return {wide(true), kRowHeight};
+}
+
+void PaneCaption::fit(int room)
+{
+    resize(wide(true) <= room ? wide(true) : std::clamp(room, 0, wide(false)), kRowHeight);
 }
 
 void PaneCaption::paintEvent(QPaintEvent*)
@@ -73,8 +83,8 @@ void PaneCaption::paintEvent(QPaintEvent*)
     };
     if (!m_letter.isEmpty())
         put(m_letter, m_active ? accent(palette()).lighter(120) : kQuiet);
-    put(m_technique, kBright);
-    if (!m_cost.isEmpty()) {
+    put(fontMetrics().elidedText(m_technique, Qt::ElideRight, width() - x - kPadding), kBright);
+    if (!m_cost.isEmpty() && width() >= wide(true)) {
         x += kPadding;
         put(m_cost, kQuiet);
     }
@@ -114,13 +124,20 @@ void HeatLegend::paintEvent(QPaintEvent*)
     for (int i = 0; i <= kMarks; ++i) {
         const int x = bar.left() + (bar.width() - 1) * i / kMarks;
         painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + 3);
-        const QString number = (i == kMarks ? QString::fromUtf8("\u2265 ") : QString()) + QString::number(m_max * i / kMarks, 'g', 3);
+        const QString number = (i == kMarks ? QString::fromUtf8("\u2265 ") : QString()) + plainNumber(m_max * i / kMarks);
         const int w = fontMetrics().horizontalAdvance(number);
         painter.drawText(std::clamp(x - w / 2, 4, width() - w - 4), bar.bottom() + 5 + fontMetrics().ascent(), number);
     }
     painter.setPen(kQuiet);
-    painter.drawText(QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter,
-        m_title.compare(m_unit, Qt::CaseInsensitive) == 0 ? tr("%1 a pixel").arg(m_title) : QString("%1 (%2)").arg(m_title, m_unit));
+    painter.drawText(
+        QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter, fontMetrics().elidedText(caption(), Qt::ElideRight, width() - 24));
+}
+
+QString HeatLegend::caption() const
+{
+    if (m_unit == "depth")
+        return tr("%1 (share of the depth)").arg(m_title);
+    return m_title.compare(m_unit, Qt::CaseInsensitive) == 0 ? tr("%1 a pixel").arg(m_title) : QString("%1 (%2)").arg(m_title, m_unit);
 }
 
 Hint::Hint(QWidget* parent) : QWidget(parent)

@@ -18,12 +18,14 @@ class PaneCaption : public QAbstractButton {
 public:
     explicit PaneCaption(QWidget* parent);
     void show(const QString& letter, const QString& technique, const QString& cost, bool active);
+    void fit(int room); // px; where it is too narrow for all, the cost goes first, then the technique is cut
     QSize sizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
+    int wide(bool withCost) const; // px
     QString m_letter, m_technique, m_cost;
     bool m_active = false;
 };
@@ -35,6 +37,7 @@ public:
     explicit HeatLegend(QWidget* parent);
     void show(const QString& title, const QString& unit, double max);
     double max() const { return m_max; } // at the bright end
+    QString caption() const; // what the numbers are
     QSize sizeHint() const override { return {268, 60}; }
 
 protected:

@@ -7,7 +7,6 @@
 #include "app/window/number_field.h"
 #include "app/window/text.h"
 #include "app/window/theme.h"
-#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,8 +15,17 @@
 
 namespace relievo {
 namespace {
-constexpr int kLabelWidth = 112, kNumberWidth = 56, kUnitWidth = 44; // px
+constexpr int kNumberWidth = 60, kUnitWidth = 44; // px
 constexpr int kSegmentedLetters = 14; // choices with longer texts in all become a list
+
+// All labels stand in a column as wide as the longest.
+int labelWidth(const QFontMetrics& metrics)
+{
+    int width = 0;
+    for (const ParameterRow& row : kParameters)
+        width = std::max(width, metrics.horizontalAdvance(qt(row.label)));
+    return width + 2;
+}
 
 double number(const Value& value)
 {
@@ -85,7 +93,7 @@ ParameterEditor::ParameterEditor(const ParameterRow& row, QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2 * kGrid);
-    m_label->setFixedWidth(kLabelWidth);
+    m_label->setFixedWidth(labelWidth(fontMetrics()));
     m_label->installEventFilter(this);
     layout->addWidget(m_label);
     setFixedHeight(kRowHeight);
@@ -120,6 +128,7 @@ void ParameterEditor::addNumber(QHBoxLayout* layout)
     connect(slider, &Slider::released, this, &ParameterEditor::released);
     connect(field, &NumberField::pressed, this, &ParameterEditor::pressed);
     connect(field, &NumberField::released, this, &ParameterEditor::released);
+    connect(slider, &Slider::resumed, this, &ParameterEditor::resumed);
     connect(slider, &Slider::resetWanted, this, &ParameterEditor::resetWanted);
     connect(slider, &Slider::moved, this, [this, field](double v) {
         field->setValue(v);
@@ -148,12 +157,12 @@ void ParameterEditor::addChoice(QHBoxLayout* layout)
         m_show = [choice](const Value& value) { choice->setCurrent(std::get<int>(value)); };
         return;
     }
-    auto* choice = new QComboBox(this);
+    auto* choice = new ChoiceList(this);
     for (const auto& item : items)
         choice->addItem(item.text);
     choice->setFocusPolicy(Qt::StrongFocus);
     layout->addWidget(choice, 1);
-    connect(choice, &QComboBox::activated, this, [this](int index) { change(index); });
+    connect(choice, &ChoiceList::activated, this, [this](int index) { change(index); });
     m_show = [choice](const Value& value) { choice->setCurrentIndex(std::get<int>(value)); };
 }
 
@@ -221,7 +230,7 @@ void ParameterEditor::contextMenuEvent(QContextMenuEvent* event)
     QMenu menu(this);
     connect(menu.addAction(tr("Reset to default")), &QAction::triggered, this, &ParameterEditor::resetWanted);
     if (m_overridden)
-        connect(menu.addAction(tr("Same as the other pane")), &QAction::triggered, this, &ParameterEditor::clearWanted);
+        connect(menu.addAction(tr("Same as the other picture")), &QAction::triggered, this, &ParameterEditor::clearWanted);
     menu.exec(event->globalPos());
 }
 

@@ -25,6 +25,7 @@ Q_SIGNALS:
     void edited(const relievo::Value& value);
     void pressed(); // a gesture begins: edits up to `released` are one step
     void released();
+    void resumed(); // the gesture that just ended goes on
     void resetWanted(); // double click on the label or slider
     void clearWanted(); // the pane's own value is to go
 

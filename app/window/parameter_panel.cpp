@@ -34,11 +34,13 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    for (std::size_t i = 0; i < kGroupLabels.size(); ++i)
+    for (std::size_t i = 0; i < kGroupLabels.size(); ++i) { // Tab goes in the order in which they are made
         column->addWidget(m_sections[i] = new Section(qt(kGroupLabels[i])));
+        for (const ParameterRow& row : kParameters)
+            if (std::size_t(row.group) == i)
+                addEditor(row, *m_sections[i]);
+    }
     column->addStretch(1);
-    for (const ParameterRow& row : kParameters)
-        addEditor(row, *m_sections[std::size_t(row.group)]);
 
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
@@ -61,11 +63,14 @@ void ParameterPanel::addEditor(const ParameterRow& row, Section& section)
     section.body()->addWidget(editor);
     m_editors.append(editor);
     connect(editor, &ParameterEditor::pressed, &m_document, &Document::beginGesture);
+    connect(editor, &ParameterEditor::resumed, &m_document, &Document::resumeGesture);
     connect(editor, &ParameterEditor::released, &m_document, &Document::endGesture);
     connect(editor, &ParameterEditor::edited, this,
         [this, &row](const Value& value) { m_document.edit(qt(row.label), [&](State& state) { assign(state, row, value, m_scope); }); });
-    connect(editor, &ParameterEditor::resetWanted, this,
-        [this, &row] { m_document.edit(tr("Reset %1").arg(qt(row.label)), [&](State& state) { reset(state, row, m_scope); }); });
+    connect(editor, &ParameterEditor::resetWanted, this, [this, &row] {
+        const QString name = m_document.inGesture() ? qt(row.label) : tr("Reset %1").arg(qt(row.label)); // then one step with its edits
+        m_document.edit(name, [&](State& state) { reset(state, row, m_scope); });
+    });
     connect(editor, &ParameterEditor::clearWanted, this,
         [this, &row] { m_document.edit(tr("Same %1").arg(qt(row.label)), [&](State& state) { clearOverride(state, row, m_scope); }); });
 }

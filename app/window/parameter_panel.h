@@ -32,7 +32,7 @@ private:
     QWidget* m_scopeLine;
     Segmented* m_scopeChoice;
     std::array<Section*, kGroupLabels.size()> m_sections{};
-    QVector<ParameterEditor*> m_editors; // one for each row of kParameters, in its order
+    QVector<ParameterEditor*> m_editors; // one for each row of kParameters, by groups
 };
 
 } // namespace relievo

@@ -12,7 +12,8 @@ namespace relievo {
 // ... in the user's own data folder.
 QString recoveryFolder();
 
-// Keeps a copy of the document while it is modified, in a file named after this process; an end in good order removes it.
+// Keeps a copy of the document while it is modified, in a file named after this process, and beside it the name of its project file; an
+// end in good order removes both.
 class Recovery : public QObject {
 public:
     explicit Recovery(Document& document, const QString& folder = recoveryFolder());
@@ -31,13 +32,14 @@ private:
 struct LeftBehind {
     QString file;
     StateRead read;
+    QString project; // that it is the unsaved work of; "" for untitled
 };
 std::optional<LeftBehind> leftBehind(const QString& folder = recoveryFolder());
 
-// Opens a copy as untitled, unsaved work and removes it; one that cannot be opened stays.
+// Opens a copy as unsaved work of its project and removes it; one that cannot be opened stays.
 void restore(MainWindow& window, const LeftBehind& copy);
 
-// Asks whether what was left behind shall be opened or discarded; closing the question keeps it for the next start.
-void offerLeftBehind(MainWindow& window);
+// Asks whether what was left behind shall be opened or discarded; closing the question, or Escape, keeps it for the next start.
+void offerLeftBehind(MainWindow& window, const QString& folder = recoveryFolder());
 
 } // namespace relievo

@@ -117,8 +117,11 @@ void Slider::mouseReleaseEvent(QMouseEvent* event)
 
 void Slider::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton)
-        Q_EMIT resetWanted();
+    if (event->button() != Qt::LeftButton)
+        return;
+    Q_EMIT resumed(); // the first press may have jumped to a value that nobody wanted
+    Q_EMIT resetWanted();
+    Q_EMIT released();
 }
 
 void Slider::keyPressEvent(QKeyEvent* event)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/slider_scale.h"
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +14,13 @@ double roundStep(double x)
     const double power = std::pow(10., std::floor(std::log10(x)));
     const double lead = x / power;
     return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+}
+
+// For four digits that count.
+int decimalsOf(double value)
+{
+    const double size = std::abs(value);
+    return size < 1e-12 ? 4 : std::max(0, 3 - int(std::floor(std::log10(size) + 1e-9)));
 }
 } // namespace
 
@@ -69,18 +77,28 @@ SliderScale scaleOf(const ParameterRow& row)
     return scale;
 }
 
+QString plainNumber(double value)
+{
+    QString text = QString::number(value, 'f', decimalsOf(value));
+    if (text.contains('.'))
+        while (text.endsWith('0') || text.endsWith('.'))
+            if (const bool point = text.endsWith('.'); text.chop(1), point)
+                break;
+    return text;
+}
+
 QString numberText(const ParameterRow& row, double value)
 {
+    if (row.key == "metresPerUV" && value == 0)
+        return QObject::tr("auto"); // measured from the mesh
     if (std::holds_alternative<int Parameters::*>(row.member))
         return QString::number(std::lround(value));
     const double reach = std::max(std::abs(double(row.min)), std::abs(double(row.max)));
-    const int digits = row.unit == "deg"  ? 1
-        : row.min > 0 && row.min < 0.001f ? 4
-        : reach <= 1                      ? 3
-        : reach < 100                     ? 2
-        : reach < 180                     ? 1
-        : row.max >= 500                  ? 2
-                                          : 1;
+    const int most = std::min(decimalsOf(value), 5);
+    int digits = row.unit == "deg" ? 1 : row.min > 0 && row.min < 0.001f ? 4 : reach <= 1 ? 3 : reach < 100 || row.max >= 500 ? 2 : 1;
+    digits = std::min(digits, most);
+    while (digits < most && std::abs(QString::number(value, 'f', digits).toDouble() - value) > 5e-5 * std::abs(value))
+        ++digits;
     const QString text = QString::number(value, 'f', digits);
     return text.startsWith('-') && text.toDouble() == 0 ? text.mid(1) : text; // no "-0.00"
 }

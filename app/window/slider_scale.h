@@ -23,7 +23,11 @@ struct SliderScale {
 };
 SliderScale scaleOf(const ParameterRow& row);
 
-// With as many digits as the range makes sense of, all values of a row alike so that columns stay calm.
+// At most four digits that count and no exponent: "1000", "0.000025".
+QString plainNumber(double value);
+
+// As many decimals for all values of a row as its range makes sense of, so that columns stay calm; more where a value is small,
+// fewer where it is large, for about four digits that count.
 QString numberText(const ParameterRow& row, double value);
 
 } // namespace relievo

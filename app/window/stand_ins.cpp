@@ -99,6 +99,7 @@ Expected<Shown> loadWhatIsThere(const State& state, const DecodedImages& images,
 {
     forgetWhatIsBack(shown);
     Resources& held = shown.resources;
+    const bool onlyMaps = held.mesh && held.meshName == state.mesh && held.environment && held.environmentName == state.environment;
     if (const auto mesh = load(held.mesh, held.meshName, shown.mesh, state.mesh, "plane",
             [&](const std::string& name) { return openMesh(name, progress.part(0.f, 0.2f)); });
         !mesh)
@@ -109,7 +110,7 @@ Expected<Shown> loadWhatIsThere(const State& state, const DecodedImages& images,
         return tl::unexpected(environment.error());
     if (state.slots != MapSlots{} && std::ranges::none_of(state.slots, isThere))
         held.material = movedAway(state.slots);
-    auto resources = loadResources(state, images, held, progress.part(0.3f, 1.f));
+    auto resources = loadResources(state, images, held, progress.part(onlyMaps ? 0.f : 0.3f, 1.f));
     if (!resources)
         return tl::unexpected(resources.error());
     shown.resources = std::move(*resources);

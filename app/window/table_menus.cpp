@@ -12,10 +12,23 @@
 
 namespace relievo {
 namespace {
-// The key of the i-th row as a menu shows it. A shortcut of the item itself would make that of addKeys ambiguous.
-QString keyText(Qt::KeyboardModifiers keys, int i)
+// One for each row of kViews, along the keyboard.
+constexpr std::string_view kViewKeys = "1234567890-";
+static_assert(kViewKeys.size() >= kViews.size(), "a view without key");
+constexpr Qt::Key viewKey(std::size_t i)
 {
-    return i < 9 ? '\t' + QKeySequence(int(keys) | (Qt::Key_1 + i)).toString(QKeySequence::NativeText) : QString();
+    return Qt::Key(kViewKeys[i]); // Qt::Key_0 and its like are the characters' codes
+}
+
+// The keys of a row as a menu shows them. A shortcut of the item itself would make that of addKeys ambiguous.
+QString keyText(const QKeySequence& keys)
+{
+    return '\t' + keys.toString(QKeySequence::NativeText);
+}
+
+QKeySequence techniqueKeys(int i) // empty after the ninth
+{
+    return i < 9 ? QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)) : QKeySequence();
 }
 } // namespace
 
@@ -33,24 +46,30 @@ void MainWindow::addTableMenus()
     lazyMenu(view, first, tr("Technique"), [this](QMenu& menu) {
         for (int i = 0; i < m_techniques->rows().size(); ++i) {
             const TechniqueRow& row = *m_techniques->rows()[i];
-            menu.addAction(qt(row.label) + keyText(Qt::ControlModifier, i), this, [this, &row] { setTechnique(row.key); });
+            QAction* action = menu.addAction(qt(row.label) + keyText(techniqueKeys(i)), this, [this, &row] { setTechnique(row.key); });
+            action->setToolTip(qt(row.help));
         }
     });
     lazyMenu(view, first, tr("Show"), [this](QMenu& menu) {
-        for (std::size_t i = 0; i < kViews.size(); ++i)
-            menu.addAction(qt(kViews[i].label) + keyText(Qt::NoModifier, int(i)), this, [this, i] { setView(kViews[i].key); });
+        for (std::size_t i = 0; i < kViews.size(); ++i) {
+            const ViewRow& row = kViews[i];
+            QAction* action = menu.addAction(qt(row.label) + keyText(QKeySequence(viewKey(i))), this, [this, &row] { setView(row.key); });
+            action->setToolTip(qt(row.help));
+        }
     });
 }
 
 // The menus above are filled when they open; their keys work always.
 void MainWindow::addKeys()
 {
-    for (int i = 0; i < m_techniques->rows().size() && i < 9; ++i)
-        connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
-            [this, i] { setTechnique(m_techniques->rows()[i]->key); });
-    for (int i = 0; i < int(kViews.size()) && i < 9; ++i)
-        connect(new QShortcut(QKeySequence(Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
-            [this, i] { setView(kViews[std::size_t(i)].key); });
+    for (int i = 0; i < m_techniques->rows().size() && !techniqueKeys(i).isEmpty(); ++i)
+        connect(
+            new QShortcut(techniqueKeys(i), this), &QShortcut::activated, this, [this, i] { setTechnique(m_techniques->rows()[i]->key); });
+    for (std::size_t i = 0; i < kViews.size(); ++i)
+        connect(new QShortcut(QKeySequence(viewKey(i)), this), &QShortcut::activated, this, [this, i] { setView(kViews[i].key); });
+    auto* bar = menuWidget()->findChild<QMenuBar*>("menu");
+    connect(new QShortcut(QKeySequence(Qt::Key_F10), this), &QShortcut::activated, bar,
+        [bar] { bar->setActiveAction(bar->actions().front()); });
 }
 
 } // namespace relievo

@@ -4,13 +4,12 @@
 #include "app/window/technique_bar.h"
 #include "app/window/controls.h"
 #include "app/window/text.h"
-#include <QComboBox>
 #include <QMenu>
 #include <algorithm>
 
 namespace relievo {
 
-TechniqueBar::TechniqueBar(QWidget* parent) : QWidget(parent), m_list(new QComboBox(this))
+TechniqueBar::TechniqueBar(QWidget* parent) : QWidget(parent), m_list(new ChoiceList(this))
 {
     QVector<Segmented::Item> items;
     for (const TechniqueRow& row : kTechniques) {
@@ -20,6 +19,7 @@ TechniqueBar::TechniqueBar(QWidget* parent) : QWidget(parent), m_list(new QCombo
         const QString paper = row.paper == "-" ? QString() : "<br><i>" + qt(row.paper) + "</i>";
         items.append({qt(row.label), QString("<p><b>%1</b><br>%2%3</p>").arg(qt(row.label), qt(row.help), paper), {}});
         m_list->addItem(qt(row.label));
+        m_list->setItemData(m_list->count() - 1, items.last().tip, Qt::ToolTipRole);
     }
     m_buttons = new Segmented(items, this);
     m_buttons->setObjectName("techniques");
@@ -54,10 +54,12 @@ void popUpTechniques(QWidget* parent, QPoint at, const std::string& current, std
 {
     auto* menu = new QMenu(parent);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
     for (const TechniqueRow& row : kTechniques) {
         if (row.file.empty())
             continue;
         QAction* action = menu->addAction(qt(row.label));
+        action->setToolTip(qt(row.help));
         action->setCheckable(true);
         action->setChecked(row.key == current);
         QObject::connect(action, &QAction::triggered, parent, [chosen, &row] { chosen(row); });

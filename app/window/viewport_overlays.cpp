@@ -30,6 +30,7 @@ void Viewport::placeOverlays()
         const PaneArea place = pane < paneCount() ? area(pane) : PaneArea{};
         const int left = int(place.x / scale) + kMargin;
         m_captions[std::size_t(pane)]->move(left, kMargin);
+        m_captions[std::size_t(pane)]->fit(int(place.width / scale) - 2 * kMargin);
         HeatLegend& legend = *m_legends[std::size_t(pane)];
         const int room = int((eachItsOwn ? place.width : area(0).width * paneCount()) / scale) - 2 * kMargin;
         legend.resize(std::clamp(room, 0, legend.sizeHint().width()), legend.sizeHint().height());

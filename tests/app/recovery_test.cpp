@@ -4,6 +4,10 @@
 #include "app/window/recovery.h"
 #include "core/state/state_json.h"
 #include "tests/app/window_support.h"
+#include <QMessageBox>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace relievo {
 
@@ -91,6 +95,72 @@ TEST_F(RecoveryTest, ACopyThatCannotBeReadStaysAndHidesNoOther)
     ASSERT_TRUE(found);
     EXPECT_EQ(found->file, copy);
     EXPECT_TRUE(newer.exists());
+}
+
+TEST_F(RecoveryTest, RestoredWorkIsThatOfItsProject)
+{
+    ASSERT_TRUE(window.document().save(file("wall.relievo")));
+    QString name;
+    {
+        Recovery recovery(window.document(), file("unsaved"));
+        window.document().edit("Depth", [](State& s) { s.parameters.depth = 0.33f; });
+        ASSERT_TRUE(waitFor([&] { return QFile::exists(recovery.file()); }));
+        ASSERT_TRUE(QDir().mkpath(file("left")));
+        name = file("left/999999999.relievo");
+        ASSERT_TRUE(QFile::copy(recovery.file(), name));
+        QFile::copy(recovery.file() + ".project", name + ".project");
+    }
+    EXPECT_TRUE(QDir(file("unsaved")).isEmpty());
+    window.document().start(State{}, {});
+    const auto found = leftBehind(file("left"));
+    ASSERT_TRUE(found);
+    restore(window, *found);
+    settle();
+    EXPECT_EQ(window.document().file(), file("wall.relievo"));
+    EXPECT_TRUE(window.document().isModified());
+    EXPECT_TRUE(QDir(file("left")).isEmpty());
+    window.action("save")->trigger(); // asks for no name
+    EXPECT_FALSE(window.document().isModified());
+    EXPECT_FLOAT_EQ(readState(State{}, file("wall.relievo").toStdString())->state.parameters.depth, 0.33f);
+}
+
+TEST_F(RecoveryTest, AProcessThatHasEndedDoesNotRun)
+{
+    const pid_t child = fork();
+    ASSERT_NE(child, -1);
+    if (child == 0) {
+        prctl(PR_SET_NAME, "relievo-editor");
+        for (;;)
+            pause();
+    }
+    const auto state = [&] {
+        QFile stat(QString("/proc/%1/stat").arg(child));
+        return stat.open(QIODevice::ReadOnly) ? stat.readAll() : QByteArray();
+    };
+    const bool named = waitFor([&] { return state().contains("(relievo-editor)"); });
+    const QString copy = leave(lost(), ("unsaved/" + std::to_string(child) + ".relievo").c_str());
+    const bool ran = !leftBehind(file("unsaved"));
+    kill(child, SIGKILL);
+    const bool ended = waitFor([&] { return state().contains(") Z "); });
+    const auto found = leftBehind(file("unsaved"));
+    waitpid(child, nullptr, 0);
+    EXPECT_TRUE(named && ran && ended);
+    EXPECT_TRUE(found) << "nobody has asked for its end, but it does not run";
+}
+
+TEST_F(RecoveryTest, EscapeKeepsWhatWasLeftBehind)
+{
+    const QString copy = leave(lost());
+    offerLeftBehind(window, file("unsaved"));
+    auto* question = window.findChild<QMessageBox*>("left-behind");
+    ASSERT_NE(question, nullptr);
+    ASSERT_TRUE(question->isVisible());
+    const State before = state();
+    QTest::keyClick(question, Qt::Key_Escape);
+    EXPECT_FALSE(question->isVisible());
+    settle();
+    EXPECT_EQ(state(), before);
+    EXPECT_TRUE(QFile::exists(copy));
 }
 
 } // namespace relievo

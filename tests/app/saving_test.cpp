@@ -211,6 +211,17 @@ TEST_F(SavingTest, ANameWithADotGetsItsSuffix)
     EXPECT_EQ(window.document().file(), file("wall v2.0.relievo"));
 }
 
+TEST_F(SavingTest, TheFolderOfAFailedSaveIsNotRemembered)
+{
+    QSettings().setValue("folders/save-relievo", "/elsewhere");
+    saveAs((std::string(248, 'x') + ".y").c_str()); // with its suffix longer than a name may be
+    EXPECT_FALSE(window.messages().all().isEmpty());
+    EXPECT_EQ(QSettings().value("folders/save-relievo").toString(), "/elsewhere");
+    QTest::qWait(10);
+    saveAs("short");
+    EXPECT_EQ(QSettings().value("folders/save-relievo").toString(), folder.path());
+}
+
 TEST_F(SavingTest, AnExportAsksBeforeItReplaces)
 {
     write("look.json");

@@ -45,7 +45,7 @@ struct Scene {
 
 void twoPanes(MainWindow& window)
 {
-    window.document().edit("Two pictures", [](State& state) {
+    window.document().edit("Compare two techniques", [](State& state) {
         setPaneCount(state, 2);
         state.mesh = "sphere";
     });
