@@ -1,8 +1,9 @@
-// Reading the numbers of exported reliefs.
+// Reading the numbers of materials and exported reliefs.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/relief_numbers.h"
 #include "core/file.h"
+#include "core/image/material.h"
 #include "core/state/techniques.h"
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,20 @@ void takeRelief(State& state, const MeshRelief& relief, double metresPerUV)
     for (const auto& [key, value] : relief.search)
         takeNumber(state, key, value);
     takeTechnique(state, relief.technique);
+}
+
+void takeFactors(State& state, const MeshFactors& factors, const MapSlots& maps)
+{
+    const bool hasColor = !maps[std::size_t(MapKind::Color)].empty(), hasEmission = !maps[std::size_t(MapKind::Emission)].empty();
+    const glm::vec3 tint = factors.color / (hasColor ? 1.f : kColorWithoutMap);
+    const ParameterRow& row = *findParameter("tint");
+    set(state.parameters, row, clamped(row, tint));
+    takeNumber(state, "roughness", double(factors.roughness));
+    takeNumber(state, "metallic", double(factors.metallic));
+    takeNumber(state, "normalStrength", double(factors.normal));
+    takeNumber(state, "aoStrength", double(factors.occlusion));
+    if (hasEmission)
+        takeNumber(state, "emission", double(factors.emission));
 }
 
 bool takeReliefJson(const fs::path& folder, State& state, Warnings& warnings)

@@ -1,4 +1,4 @@
-// The numbers of a relief that exports of this program carry, taken into a State again.
+// Numbers beside the maps that files carry, taken into a State.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -11,6 +11,9 @@ namespace relievo {
 // What a glTF file says (RELIEVO_materials_relief), as far as it makes sense: numbers are clamped to their range, what is no number and
 // techniques that draw no pictures are left out. metresPerUV: of the mesh, whose UV unit is the tile; > 0.
 void takeRelief(State& state, const MeshRelief& relief, double metresPerUV);
+
+// A glTF material's factors, clamped to the parameters' ranges. `maps` are the material's: without a colour map its factor is the colour.
+void takeFactors(State& state, const MeshFactors& factors, const MapSlots& maps);
 
 // The same of relief.json in a folder of exported textures: its values, and which way its own maps are meant, whatever their pixels
 // suggest. Returns whether there is such a file of this program. Warnings: "relief-json" tells that values were taken.

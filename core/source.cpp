@@ -109,7 +109,9 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
         for (Pane& pane : opened.state.panes)
             if (const TechniqueRow* technique = findTechnique(pane.technique); technique && listHas(technique->maps, "height"))
                 pane.technique = "bump";
-    opened.bringsRelief = material->relief.has_value();
+    opened.bringsValues = material->factors || material->relief;
+    if (material->factors)
+        takeFactors(opened.state, *material->factors, material->maps);
     if (material->relief)
         takeRelief(opened.state, *material->relief, double(mesh->metresPerUV));
     opened.state.name = file.stem().string();
@@ -161,7 +163,7 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     opened.state.slots = set->slots();
     opened.state.name = set->name;
     if (fs::is_directory(path, code))
-        opened.bringsRelief = takeReliefJson(path, opened.state, opened.warnings);
+        opened.bringsValues = takeReliefJson(path, opened.state, opened.warnings);
     return opened;
 }
 

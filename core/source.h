@@ -47,7 +47,7 @@ struct Opened {
     State state;
     DecodedImages images; // spares loadResources a second decode
     Warnings warnings;
-    bool bringsRelief = false; // the State's depth, technique and steps are those of the file too (exports of this program)
+    bool bringsValues = false; // parameters and technique of the State are the file's too, not only the maps
 };
 Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress = {});
 

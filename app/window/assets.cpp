@@ -62,7 +62,7 @@ void takeMaps(State& state, const State& base, const Opened& source, bool builtI
         state.parameters.depth = opened.parameters.depth;
     if (opened.mesh != base.mesh) // a mesh with textures
         state.mesh = opened.mesh, state.part = opened.part, state.panes = opened.panes;
-    if (!source.bringsRelief)
+    if (!source.bringsValues)
         return;
     for (const ParameterRow& row : kParameters) // what was edited meanwhile stays
         if (const Value value = get(opened.parameters, row); value != get(base.parameters, row))

@@ -119,9 +119,30 @@ private:
         put(MapKind::AmbientOcclusion, textureOf(material.occlusionTexture), Channel::R);
         put(MapKind::Emission, textureOf(material.emissiveTexture));
         readRelief(material);
+        readFactors(material);
         tellSpace();
         m_read.materials.push_back(std::move(m_material));
         m_read.spaces.push_back(m_space.value_or(TextureSpace()));
+    }
+
+    void readFactors(const tinygltf::Material& material)
+    {
+        const auto& pbr = material.pbrMetallicRoughness;
+        const auto channel = [](const std::vector<double>& values, std::size_t i, double otherwise) {
+            return float(i < values.size() ? values[i] : otherwise);
+        };
+        MeshFactors factors;
+        float brightest = 0.f;
+        for (int i = 0; i < 3; ++i) {
+            factors.color[i] = channel(pbr.baseColorFactor, std::size_t(i), 1.0);
+            brightest = std::max(brightest, channel(material.emissiveFactor, std::size_t(i), 0.0));
+        }
+        factors.roughness = float(pbr.roughnessFactor), factors.metallic = float(pbr.metallicFactor);
+        factors.normal = float(material.normalTexture.scale), factors.occlusion = float(material.occlusionTexture.strength);
+        const auto brighter = material.extensions.find("KHR_materials_emissive_strength");
+        factors.emission
+            = brightest * float(brighter == material.extensions.end() ? 1.0 : numberOf(member(brighter->second, "emissiveStrength"), 1.0));
+        m_material.factors = factors;
     }
 
     // Our own extension: what an export of this program wrote is read again.

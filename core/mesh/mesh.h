@@ -46,12 +46,20 @@ struct MeshRelief {
     std::vector<std::pair<std::string, double>> search; // parameters by key, as the file has them
 };
 
+// What multiplies a glTF material's maps; its own where it has none.
+struct MeshFactors {
+    glm::vec3 color{1.f}; // linear
+    float roughness = 1.f, metallic = 1.f, normal = 1.f, occlusion = 1.f; // of occlusion the strength
+    float emission = 0.f; // of its brightest channel
+};
+
 // A material as the mesh file describes it; parts refer to it by name.
 struct MeshMaterial {
     std::string name; // as MeshPart::material, each once
     // As State::slots takes them: files that exist, absolute. A picture inside a glTF file is "FILE#N", which readImage understands.
     MapSlots maps;
     std::optional<MeshRelief> relief = {}; // with a height map in `maps`
+    std::optional<MeshFactors> factors = {}; // of glTF files
 };
 
 struct Deformation; // pose.h

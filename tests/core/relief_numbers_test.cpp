@@ -4,6 +4,7 @@
 #include "core/exporters/exporters.h"
 #include "core/file.h"
 #include "core/image/image_file.h"
+#include "core/relief_numbers.h"
 #include "tests/core/mesh_support.h"
 #include <nlohmann/json.hpp>
 
@@ -64,6 +65,37 @@ TEST(GltfRelief, IsReadAsItWasWritten)
     ASSERT_EQ(before.size(), after.size());
     for (std::size_t i = 0; i < before.size(); ++i)
         ASSERT_NEAR(before[i], after[i], 0.5f / 255.f + 1e-5f); // 8 bits inside the file
+}
+
+TEST(GltfFactors, AreReadAsTheyWereWritten)
+{
+    const Scratch scratch;
+    State state = sample();
+    Parameters& p = state.parameters;
+    p.tint = {0.25f, 0.5f, 1.f}, p.roughness = 0.46f, p.metallic = 0.75f, p.normalStrength = 1.5f;
+    const Expected<Opened> again = exportedAndOpened(scratch, state);
+    ASSERT_TRUE(again) << message(again.error());
+    const Parameters& q = again->state.parameters;
+    EXPECT_EQ(q.tint, p.tint);
+    EXPECT_FLOAT_EQ(q.roughness, 0.46f);
+    EXPECT_FLOAT_EQ(q.metallic, 0.75f); // the sample has a metallic map
+    EXPECT_FLOAT_EQ(q.normalStrength, 1.5f);
+    EXPECT_TRUE(again->bringsValues);
+}
+
+// Without a colour map the factor is the colour; nonsense is clamped.
+TEST(GltfFactors, OfAMaterialWithoutAColorMap)
+{
+    State state;
+    MeshFactors factors;
+    factors.color = {0.1f, 0.2f, 9.f}, factors.roughness = -1.f, factors.normal = std::numeric_limits<float>::quiet_NaN();
+    takeFactors(state, factors, {});
+    EXPECT_FLOAT_EQ(state.parameters.tint.x, 0.25f);
+    EXPECT_FLOAT_EQ(state.parameters.tint.y, 0.5f);
+    EXPECT_FLOAT_EQ(state.parameters.tint.z, 1.f);
+    EXPECT_EQ(state.parameters.roughness, 0.f);
+    EXPECT_EQ(state.parameters.normalStrength, Parameters().normalStrength);
+    EXPECT_EQ(state.parameters.emission, Parameters().emission);
 }
 
 TEST(GltfRelief, NonsenseIsLeftOut)
