@@ -87,10 +87,8 @@ bool takeReliefJson(const fs::path& folder, State& state, Warnings& warnings)
     const json numbers = text ? json::parse(*text, nullptr, false) : json();
     if (!numbers.is_object() || std::isnan(numberOf(numbers, "depthInTiles")) || textOf(numbers, "technique").empty())
         return false;
-    constexpr std::pair<const char*, const char*> kNumbers[] = {{"depthInTiles", "depth"}, {"midlevel", "midlevel"}, {"tiling", "tiling"},
-        {"rotationDegrees", "rotation"}, {"normalStrength", "normalStrength"}};
-    for (const auto& [key, parameter] : kNumbers)
-        takeNumber(state, parameter, numberOf(numbers, key));
+    for (const auto& [key, parameter] : kReliefNumbers)
+        takeNumber(state, std::ranges::find(kParameters, Member(parameter), &ParameterRow::member)->key, numberOf(numbers, key));
     if (const auto offset = numbers.find("offset");
         offset != numbers.end() && offset->is_array() && offset->size() == 2 && (*offset)[0].is_number() && (*offset)[1].is_number()) {
         takeNumber(state, "offsetU", (*offset)[0].get<double>());

@@ -4,7 +4,9 @@
 #pragma once
 #include "core/mesh/mesh.h"
 #include "core/state/state.h"
+#include <array>
 #include <filesystem>
+#include <utility>
 
 namespace relievo {
 
@@ -15,7 +17,16 @@ void takeRelief(State& state, const MeshRelief& relief, double metresPerUV);
 // A glTF material's factors, clamped to the parameters' ranges. `maps` are the material's: without a colour map its factor is the colour.
 void takeFactors(State& state, const MeshFactors& factors, const MapSlots& maps);
 
-// The same of relief.json in a folder of exported textures: its values, and which way its own maps are meant, whatever their pixels
+// relief.json: its plain numbers and the parameters that they are.
+inline constexpr auto kReliefNumbers = std::to_array<std::pair<const char*, float Parameters::*>>({
+    {"depthInTiles", &Parameters::depth},
+    {"midlevel", &Parameters::midlevel},
+    {"tiling", &Parameters::tiling},
+    {"rotationDegrees", &Parameters::rotation},
+    {"normalStrength", &Parameters::normalStrength},
+});
+
+// What relief.json says in a folder of exported textures: its values, and which way its own maps are meant, whatever their pixels
 // suggest. Returns whether there is such a file of this program. Warnings: "relief-json" tells that values were taken.
 bool takeReliefJson(const std::filesystem::path& folder, State& state, Warnings& warnings);
 

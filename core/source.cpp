@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <set>
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -182,23 +181,12 @@ Wrap wrapOf(const Parameters& parameters)
 
 namespace {
 
-// How many the panes' techniques search with that are not there.
-std::size_t boundsMissing(const State& state, const Resources& resources)
-{
-    std::set<Resources::BoundKey> missing;
-    for (std::size_t pane = 0; pane < state.panes.size(); ++pane)
-        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->bound.empty())
-            if (const Parameters parameters = effectiveParameters(state, pane); !boundFor(resources, *technique, parameters))
-                missing.insert(boundKey(*technique, parameters));
-    return missing.size();
-}
-
 // Makes the bound maps that the panes' techniques search with and that are not there; forgets the others.
 Expected<void> loadBounds(const State& state, Resources& resources, const Progress& progress)
 {
     std::map<Resources::BoundKey, Resources::Bound> bounds;
     float done = 0.f;
-    const float all = float(std::max(boundsMissing(state, resources), std::size_t(1)));
+    const float all = float(std::max(missingBounds(state, resources).size(), std::size_t(1)));
     for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
         const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
         if (!technique || technique->bound.empty() || !resources.material->height)
@@ -244,15 +232,14 @@ Expected<void> makeBound(Resources& resources, const TechniqueRow& technique, co
     return {};
 }
 
-bool boundsFit(const State& state, const Resources& resources)
+std::set<Resources::BoundKey> missingBounds(const State& state, const Resources& resources)
 {
-    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
-        const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
-        if (technique && !technique->bound.empty() && resources.material && resources.material->height
-            && !boundFor(resources, *technique, effectiveParameters(state, pane)))
-            return false;
-    }
-    return true;
+    std::set<Resources::BoundKey> missing;
+    for (std::size_t pane = 0; pane < state.panes.size() && resources.material && resources.material->height; ++pane)
+        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->bound.empty())
+            if (const Parameters parameters = effectiveParameters(state, pane); !boundFor(resources, *technique, parameters))
+                missing.insert(boundKey(*technique, parameters));
+    return missing;
 }
 
 Expected<Resources> loadResources(const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress)

@@ -14,6 +14,7 @@
 #include "core/state/techniques.h"
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -67,8 +68,8 @@ Resources::BoundKey boundKey(const TechniqueRow& technique, const Parameters& pa
 std::shared_ptr<const SearchTexture> boundFor(const Resources& resources, const TechniqueRow& technique, const Parameters& parameters);
 // Makes it and adds it to resources.bounds, when it is wanted and not there.
 Expected<void> makeBound(Resources& resources, const TechniqueRow& technique, const Parameters& parameters, const Progress& progress = {});
-// Whether the bound maps of all panes are there.
-bool boundsFit(const State& state, const Resources& resources);
+// Those that the panes' techniques search with and that are not there; none without a height map.
+std::set<Resources::BoundKey> missingBounds(const State& state, const Resources& resources);
 
 // Whether `file` is a mesh by its suffix (gltf glb obj ply stl off), for drag and drop and `info`.
 bool isMeshFile(const std::filesystem::path& file);

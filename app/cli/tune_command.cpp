@@ -216,28 +216,13 @@ void printText(const TuneOptions& options, const Tuned& tuned)
     std::printf("error: %s, worst view; budget %g\n", std::string(metric->label).c_str(), options.maxError);
 }
 
-nlohmann::ordered_json parametersJson(const SearchSetting& setting)
-{
-    auto json = nlohmann::ordered_json::object();
-    for (const ParameterRow& row : kParameters)
-        if (row.group == Group::Search && row.key != "heightMips" && listHas(setting.technique->parameters, row.key)) {
-            const Value value = get(setting.parameters, row);
-            if (const bool* on = std::get_if<bool>(&value))
-                json[std::string(row.key)] = *on;
-            else if (const int* number = std::get_if<int>(&value); number && row.options.empty())
-                json[std::string(row.key)] = *number;
-            else
-                json[std::string(row.key)] = toText(row, value);
-        }
-    return json;
-}
-
 nlohmann::ordered_json candidateJson(const Tuned& tuned, const Candidate& candidate)
 {
     const SearchSetting& setting = tuned.plan.settings[candidate.setting];
-    return {{"technique", setting.technique->key}, {"setting", setting.label}, {"parameters", parametersJson(setting)},
-        {"meanFetches", candidate.meanFetches}, {"maxFetches", candidate.maxFetches}, {"error", candidate.error},
-        {"missedPercent", 100. * candidate.missed}, {"within", candidate.within}};
+    return {{"technique", setting.technique->key}, {"setting", setting.label},
+        {"parameters", searchJson(*setting.technique, setting.parameters)}, {"meanFetches", candidate.meanFetches},
+        {"maxFetches", candidate.maxFetches}, {"error", candidate.error}, {"missedPercent", 100. * candidate.missed},
+        {"within", candidate.within}};
 }
 
 nlohmann::ordered_json tunedJson(const TuneOptions& options, const Tuned& tuned)

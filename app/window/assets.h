@@ -104,7 +104,7 @@ private:
     void follow(Changes what);
     void check();
     void tellStopped();
-    QString boundMissing() const; // the first map that a technique of the document searches with and that is not there
+    QString boundMissing() const; // a map that a technique of the document searches with and that is not there
     void refuse(const Error& error);
     bool holds(const State& state) const;
     bool fits(const State& state) const;

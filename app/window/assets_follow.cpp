@@ -62,15 +62,9 @@ void Assets::check()
 
 QString Assets::boundMissing() const
 {
-    const State& state = m_document.state();
-    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
-        const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
-        if (!technique || technique->bound.empty() || boundFor(resources(), *technique, effectiveParameters(state, pane)))
-            continue;
-        const auto map = std::ranges::find(kMaps, technique->bound, &MapRow::key);
-        return map == kMaps.end() ? QString() : QString::fromUtf8(map->label.data(), qsizetype(map->label.size())).toLower();
-    }
-    return {};
+    const auto missing = missingBounds(m_document.state(), resources());
+    const auto map = missing.empty() ? kMaps.end() : std::ranges::find(kMaps, missing.begin()->first, &MapRow::key);
+    return map == kMaps.end() ? QString() : QString::fromUtf8(map->label.data(), qsizetype(map->label.size())).toLower();
 }
 
 void Assets::tellStopped()
@@ -90,7 +84,7 @@ bool Assets::holds(const State& state) const
 
 bool Assets::fits(const State& state) const
 {
-    return holds(state) && boundsFit(state, resources());
+    return holds(state) && missingBounds(state, resources()).empty();
 }
 
 } // namespace relievo

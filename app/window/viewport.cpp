@@ -170,7 +170,7 @@ void Viewport::drawPanes(double scale)
 void Viewport::drawn(const QList<Message>& troubles)
 {
     // Maps that are being made, or were stopped, are told by Assets.
-    m_messages.set("picture", boundsFit(m_document.state(), m_assets.resources()) ? troubles : QList<Message>());
+    m_messages.set("picture", missingBounds(m_document.state(), m_assets.resources()).empty() ? troubles : QList<Message>());
     if (troubles.isEmpty())
         return;
     m_measured = {}; // it was of another picture

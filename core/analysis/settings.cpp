@@ -9,11 +9,6 @@ namespace relievo {
 
 namespace {
 
-// The rows of the search that the technique lists and that change what a ray at full resolution finds.
-bool counts(const TechniqueRow& technique, const ParameterRow& row)
-{
-    return row.group == Group::Search && row.key != "heightMips" && listHas(technique.parameters, row.key);
-}
 bool isStepCount(const ParameterRow& row)
 {
     return std::holds_alternative<int Parameters::*>(row.member) && row.options.empty() && row.key != "refineSteps";
@@ -36,7 +31,7 @@ std::string stepsText(const TechniqueRow& technique, const Parameters& parameter
 {
     int least = 1 << 30, most = 0;
     for (const ParameterRow& row : kParameters)
-        if (counts(technique, row) && isStepCount(row)) {
+        if (searchesBy(technique, row) && isStepCount(row)) {
             const int steps = std::get<int>(get(parameters, row));
             least = std::min(least, steps), most = std::max(most, steps);
         }
@@ -55,14 +50,14 @@ SearchSetting labelled(const TechniqueRow& technique, const Parameters& paramete
 Parameters withSteps(const TechniqueRow& technique, Parameters parameters, int steps)
 {
     for (const ParameterRow& row : kParameters)
-        if (counts(technique, row) && isStepCount(row))
+        if (searchesBy(technique, row) && isStepCount(row))
             set(parameters, row, clamped(row, steps));
     return parameters;
 }
 
 bool hasSteps(const TechniqueRow& technique)
 {
-    return std::ranges::any_of(kParameters, [&](const ParameterRow& row) { return counts(technique, row) && isStepCount(row); });
+    return std::ranges::any_of(kParameters, [&](const ParameterRow& row) { return searchesBy(technique, row) && isStepCount(row); });
 }
 
 } // namespace
@@ -84,7 +79,7 @@ std::vector<SearchSetting> settingsOf(const TechniqueRow& technique, const Param
         settings.push_back(labelled(technique, parameters));
     for (const ParameterRow& row : kParameters)
         for (const Parameters& parameters : stepped) {
-            if (!counts(technique, row) || !isSwitch(row))
+            if (!searchesBy(technique, row) || !isSwitch(row))
                 continue;
             Parameters turned = parameters;
             const bool on = !std::get<bool>(get(parameters, row));
@@ -107,7 +102,7 @@ SearchSetting mostExactSetting(const Parameters& base)
     const TechniqueRow& technique = exact == kTechniques.end() ? *findTechnique("relief") : *exact;
     Parameters parameters = plainSetting(technique, base).parameters;
     for (const ParameterRow& row : kParameters)
-        if (counts(technique, row) && (isStepCount(row) || row.key == "refineSteps"))
+        if (searchesBy(technique, row) && (isStepCount(row) || row.key == "refineSteps"))
             set(parameters, row, int(row.max));
     return labelled(technique, parameters);
 }
@@ -117,7 +112,7 @@ State withSetting(const State& state, const SearchSetting& setting)
     State changed = state;
     changed.parameters = effectiveParameters(state, 0);
     for (const ParameterRow& row : kParameters)
-        if (counts(*setting.technique, row))
+        if (searchesBy(*setting.technique, row))
             set(changed.parameters, row, get(setting.parameters, row));
     changed.panes = {Pane{std::string(setting.technique->key), {}}};
     return changed;
@@ -127,7 +122,7 @@ std::string parametersText(const SearchSetting& setting)
 {
     std::string text;
     for (const ParameterRow& row : kParameters)
-        if (counts(*setting.technique, row))
+        if (searchesBy(*setting.technique, row))
             text += (text.empty() ? "" : " ") + std::string(row.key) + '=' + toText(row, get(setting.parameters, row));
     return text;
 }

@@ -5,7 +5,9 @@
 #include "core/exporters/new_files.h"
 #include "core/file.h"
 #include "core/maps/float_image.h"
+#include "core/mesh/gltf_extensions.h"
 #include "core/mesh/pose.h"
+#include "core/state/state_json.h"
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,9 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 using Json = nlohmann::ordered_json;
-constexpr const char* kRelief = "RELIEVO_materials_relief";
-constexpr const char* kTransform = "KHR_texture_transform";
-constexpr const char* kBrighter = "KHR_materials_emissive_strength";
 constexpr int kFloat = 5126, kUint = 5125, kVertices = 34962, kIndices = 34963; // glTF's numbers for types and targets
 
 std::optional<Mesh> atRest(const Mesh& mesh) // nothing when it does not move
@@ -157,9 +156,9 @@ private:
         if (p.tiling == 1.f && p.offsetU == 0.f && p.offsetV == 0.f && p.rotation == 0.f)
             return info;
         // Its rotation turns the UVs counter-clockwise as seen on the image, which turns the image clockwise: the other way round.
-        info["extensions"][kTransform] = {{"offset", {shortest(p.offsetU), shortest(p.offsetV)}},
+        info["extensions"][kTransformExtension] = {{"offset", {shortest(p.offsetU), shortest(p.offsetV)}},
             {"rotation", shortest(-glm::radians(p.rotation))}, {"scale", {shortest(p.tiling), shortest(p.tiling)}}};
-        use(kTransform);
+        use(kTransformExtension);
         return info;
     }
 
@@ -243,8 +242,8 @@ private:
         const double factor = shortest(std::min(strength, 1.f));
         material["emissiveFactor"] = {factor, factor, factor};
         if (strength > 1.f) {
-            material["extensions"][kBrighter] = {{"emissiveStrength", shortest(strength)}};
-            use(kBrighter);
+            material["extensions"][kBrighterExtension] = {{"emissiveStrength", shortest(strength)}};
+            use(kBrighterExtension);
         }
         return {};
     }
@@ -271,23 +270,16 @@ private:
             return tl::unexpected(texture.error());
         const float measured = m_job.resources.mesh->metresPerUV;
         const std::string technique = m_job.state.panes.empty() ? Pane().technique : m_job.state.panes.front().technique;
-        const TechniqueRow* techniqueRow = findTechnique(technique);
         Json numbers = {{"depth", shortest(physicalDepth(m_parameters, measured))}, {"midlevel", shortest(m_parameters.midlevel)},
             {"metresPerUV", shortest(metresPerUV(m_parameters, measured))}, {"technique", technique}, {"minSteps", m_parameters.minSteps},
             {"maxSteps", m_parameters.maxSteps}, {"refineSteps", m_parameters.refineSteps}};
-        for (const ParameterRow& row : kParameters) // what the technique searches by
-            if (row.group == Group::Search && row.key != "heightMips" && techniqueRow && listHas(techniqueRow->parameters, row.key))
-                std::visit(
-                    [&](auto value) {
-                        if constexpr (std::is_arithmetic_v<decltype(value)>)
-                            numbers[std::string(row.key)] = value;
-                    },
-                    get(m_parameters, row));
+        if (const TechniqueRow* row = findTechnique(technique))
+            numbers.update(searchJson(*row, m_parameters));
         Json relief = {{"heightTexture", *texture}};
         relief.update(numbers);
-        material["extensions"][kRelief] = relief;
+        material["extensions"][kReliefExtension] = relief;
         material["extras"]["relievo"] = numbers;
-        use(kRelief);
+        use(kReliefExtension);
         m_exported.warnings.push_back({"gltf-height",
             "Viewers that do not know RELIEVO_materials_relief show the normal map only; the height map at 16 bits lies beside the file."});
         if (m_parameters.midlevel < 1.f)

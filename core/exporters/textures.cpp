@@ -5,6 +5,7 @@
 #include "core/exporters/new_files.h"
 #include "core/file.h"
 #include "core/maps/maps.h"
+#include "core/relief_numbers.h"
 #include <nlohmann/json.hpp>
 
 namespace relievo {
@@ -53,12 +54,13 @@ Json numbersOf(const ExportJob& job, const Parameters& parameters)
 {
     const float measured = job.resources.mesh->metresPerUV;
     const float depth = physicalDepth(parameters, measured), unit = metresPerUV(parameters, measured);
-    return {{"name", job.state.name}, {"depthMetres", shortest(depth)}, {"depthUV", shortest(depth / unit)},
-        {"depthInTiles", shortest(parameters.depth)}, {"midlevel", shortest(parameters.midlevel)}, {"metresPerUV", shortest(unit)},
-        {"tiling", shortest(parameters.tiling)}, {"tileMetres", shortest(unit / parameters.tiling)},
-        {"offset", {shortest(parameters.offsetU), shortest(parameters.offsetV)}}, {"rotationDegrees", shortest(parameters.rotation)},
-        {"wrap", parameters.wrap == 0 ? "repeat" : "clamp"}, {"normalStrength", shortest(parameters.normalStrength)},
-        {"technique", job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique}};
+    Json numbers = {{"name", job.state.name}, {"depthMetres", shortest(depth)}, {"depthUV", shortest(depth / unit)}};
+    for (const auto& [key, parameter] : kReliefNumbers)
+        numbers[key] = shortest(parameters.*parameter);
+    numbers.update({{"metresPerUV", shortest(unit)}, {"tileMetres", shortest(unit / parameters.tiling)},
+        {"offset", {shortest(parameters.offsetU), shortest(parameters.offsetV)}}, {"wrap", parameters.wrap == 0 ? "repeat" : "clamp"},
+        {"technique", job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique}});
+    return numbers;
 }
 } // namespace
 

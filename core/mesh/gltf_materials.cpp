@@ -4,10 +4,12 @@
 #include "core/mesh/gltf_materials.h"
 #include "core/file.h"
 #include "core/mesh/gltf_document.h"
+#include "core/mesh/gltf_extensions.h"
 #include "core/mesh/pictures.h"
 #include "core/state/parameters.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -59,19 +61,17 @@ TextureSpace spaceOf(int set, const tinygltf::Value& transform)
     return space;
 }
 
-constexpr const char* kTransform = "KHR_texture_transform";
-
 template <class Info> Texture textureOf(const Info& info)
 {
-    const auto transform = info.extensions.find(kTransform);
+    const auto transform = info.extensions.find(kTransformExtension);
     return {info.index, spaceOf(info.texCoord, transform == info.extensions.end() ? tinygltf::Value() : transform->second)};
 }
 
 Texture textureIn(const tinygltf::Value& extension, const char* key)
 {
     const tinygltf::Value& info = member(extension, key);
-    return {
-        indexOf(member(info, "index"), -1), spaceOf(indexOf(member(info, "texCoord"), 0), member(member(info, "extensions"), kTransform))};
+    return {indexOf(member(info, "index"), -1),
+        spaceOf(indexOf(member(info, "texCoord"), 0), member(member(info, "extensions"), kTransformExtension))};
 }
 
 class MaterialReader {
@@ -139,7 +139,7 @@ private:
         }
         factors.roughness = float(pbr.roughnessFactor), factors.metallic = float(pbr.metallicFactor);
         factors.normal = float(material.normalTexture.scale), factors.occlusion = float(material.occlusionTexture.strength);
-        const auto brighter = material.extensions.find("KHR_materials_emissive_strength");
+        const auto brighter = material.extensions.find(kBrighterExtension);
         factors.emission
             = brightest * float(brighter == material.extensions.end() ? 1.0 : numberOf(member(brighter->second, "emissiveStrength"), 1.0));
         m_material.factors = factors;
@@ -148,14 +148,15 @@ private:
     // Our own extension: what an export of this program wrote is read again.
     void readRelief(const tinygltf::Material& material)
     {
-        const auto found = material.extensions.find("RELIEVO_materials_relief");
+        const auto found = material.extensions.find(kReliefExtension);
         if (found == material.extensions.end())
             return;
         const tinygltf::Value& extension = found->second;
         put(MapKind::Height, textureIn(extension, "heightTexture"));
         if (m_material.maps[std::size_t(MapKind::Height)].empty())
             return;
-        MeshRelief relief{numberOf(member(extension, "depth"), 0.0), numberOf(member(extension, "midlevel"), 1.0), {}, {}};
+        constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
+        MeshRelief relief{numberOf(member(extension, "depth"), kNotTold), numberOf(member(extension, "midlevel"), 1.0), {}, {}};
         if (const tinygltf::Value& technique = member(extension, "technique"); technique.IsString())
             relief.technique = technique.Get<std::string>();
         for (const ParameterRow& row : kParameters) {

@@ -40,7 +40,7 @@ struct MeshPart {
 
 // What a file written by this program says about its height map (RELIEVO_materials_relief).
 struct MeshRelief {
-    double depth = 0.0; // m, from black to white
+    double depth = 0.0; // m, from black to white; NaN: not told
     double midlevel = 1.0;
     std::string technique; // key; "" when not told
     std::vector<std::pair<std::string, double>> search; // parameters by key, as the file has them

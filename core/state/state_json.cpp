@@ -347,6 +347,22 @@ Expected<StateRead> fromJson(const State& base, const std::string& text, const f
     return result;
 }
 
+nlohmann::ordered_json searchJson(const TechniqueRow& technique, const Parameters& parameters)
+{
+    auto json = nlohmann::ordered_json::object();
+    for (const ParameterRow& row : kParameters)
+        if (searchesBy(technique, row)) {
+            const Value value = get(parameters, row);
+            if (const bool* on = std::get_if<bool>(&value))
+                json[std::string(row.key)] = *on;
+            else if (const int* number = std::get_if<int>(&value); number && row.options.empty())
+                json[std::string(row.key)] = *number;
+            else
+                json[std::string(row.key)] = toText(row, value);
+        }
+    return json;
+}
+
 Expected<StateRead> readState(const State& base, const fs::path& file)
 {
     const auto text = readText(file, std::size_t(64) << 20);

@@ -4,7 +4,9 @@
 #pragma once
 #include "core/error.h"
 #include "core/state/state.h"
+#include "core/state/techniques.h"
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace relievo {
@@ -24,6 +26,9 @@ struct StateRead {
     Warnings warnings;
 };
 Expected<StateRead> fromJson(const State& base, const std::string& text, const std::filesystem::path& folder, const std::string& where);
+
+// The parameters that the technique searches by (searchesBy): numbers, switches as booleans, choices by name.
+nlohmann::ordered_json searchJson(const TechniqueRow& technique, const Parameters& parameters);
 
 Expected<StateRead> readState(const State& base, const std::filesystem::path& file);
 Expected<void> writeState(const State& state, const std::filesystem::path& file); // atomic

@@ -13,6 +13,11 @@ const TechniqueRow* findTechnique(std::string_view key)
     return found == kTechniques.end() ? nullptr : &*found;
 }
 
+bool searchesBy(const TechniqueRow& technique, const ParameterRow& row)
+{
+    return row.group == Group::Search && row.key != "heightMips" && listHas(technique.parameters, row.key);
+}
+
 const ViewRow* findView(std::string_view key)
 {
     const auto found = std::ranges::find(kViews, key, &ViewRow::key);

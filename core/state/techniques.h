@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/state/parameters.h"
 #include <array>
 #include <string_view>
 
@@ -80,6 +81,9 @@ inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
 });
 
 const TechniqueRow* findTechnique(std::string_view key); // nullptr when unknown
+
+// Whether the row is of the search, the technique lists it, and it changes what a ray at full resolution finds.
+bool searchesBy(const TechniqueRow& technique, const ParameterRow& row);
 
 // Whether `word` is one of the space-separated words of `list`.
 constexpr bool listHas(std::string_view list, std::string_view word)

@@ -1,31 +1,18 @@
 // The export dialog: names are made whole, it can be stopped, and its end is told wherever the user looks.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/export_dialog.h"
-#include "tests/app/window_support.h"
-#include <QLabel>
-#include <QLineEdit>
+#include "tests/app/export_support.h"
 #include <QPushButton>
 
 using namespace relievo;
 
 namespace {
-class ExportTest : public WindowTest {
+class ExportTest : public ExportingTest {
 protected:
     void SetUp() override
     {
-        WindowTest::SetUp();
+        ExportingTest::SetUp();
         QSettings().setValue("folders/export", folder.path());
-    }
-    ExportDialog& exportTo(const char* key)
-    {
-        window.action("export")->trigger();
-        auto& dialog = *window.findChild<ExportDialog*>();
-        int target = 0;
-        while (kExports[std::size_t(target)].key != key)
-            ++target;
-        dialog.setTarget(target);
-        return dialog;
     }
     // A large export of textures, running.
     ExportDialog& started()
@@ -37,12 +24,6 @@ protected:
         dialog.run();
         EXPECT_TRUE(dialog.busy());
         return dialog;
-    }
-    static QLabel& result(ExportDialog& dialog) { return *dialog.findChild<QLabel*>("result"); }
-    static QLineEdit& out(ExportDialog& dialog) { return *dialog.findChild<QLineEdit*>("out"); }
-    void finish(ExportDialog& dialog)
-    {
-        ASSERT_TRUE(waitFor([&] { return !dialog.busy(); }));
     }
     bool says(const char* text) { return window.messageLine().text().contains(text); }
 };

@@ -125,7 +125,7 @@ TEST_F(LoadingTest, ATechniqueClickLeavesTheLoadAlone)
     settle();
     EXPECT_EQ(fileOf(state(), MapKind::Height), file("a_height.png").toStdString());
     EXPECT_EQ(state().panes[0].technique, "cell-cone");
-    EXPECT_TRUE(boundsFit(state(), window.assets().resources()));
+    EXPECT_TRUE(missingBounds(state(), window.assets().resources()).empty());
 }
 
 TEST_F(LoadingTest, TheShapeChosenLastIsShown)
@@ -155,7 +155,7 @@ TEST_F(LoadingTest, ACameraMoveStartsNothingAgain)
     EXPECT_FALSE(background().busy()) << "the same map was cancelled";
     window.setTechnique("cell-cone");
     settle();
-    EXPECT_TRUE(boundsFit(state(), window.assets().resources())) << "another one is made";
+    EXPECT_TRUE(missingBounds(state(), window.assets().resources()).empty()) << "another one is made";
 }
 
 TEST_F(LoadingTest, TheWindowNeverBakesWhileItDraws)

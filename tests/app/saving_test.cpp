@@ -1,11 +1,9 @@
 // What is written and what is asked first: saving, exporting, closing.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/export_dialog.h"
 #include "core/state/state_json.h"
-#include "tests/app/window_support.h"
+#include "tests/app/export_support.h"
 #include <QFileDialog>
-#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
@@ -13,24 +11,8 @@
 using namespace relievo;
 
 namespace {
-class SavingTest : public WindowTest {
+class SavingTest : public ExportingTest {
 protected:
-    ExportDialog& exportTo(const char* key)
-    {
-        window.action("export")->trigger();
-        auto& dialog = *window.findChild<ExportDialog*>();
-        int target = 0;
-        while (kExports[std::size_t(target)].key != key)
-            ++target;
-        dialog.setTarget(target);
-        return dialog;
-    }
-    static QLineEdit& out(ExportDialog& dialog) { return *dialog.findChild<QLineEdit*>("out"); }
-    static QLabel& result(ExportDialog& dialog) { return *dialog.findChild<QLabel*>("result"); }
-    static void finish(ExportDialog& dialog)
-    {
-        ASSERT_TRUE(waitFor([&] { return !dialog.busy(); }));
-    }
     // The question that is open now; nullptr when there is none.
     static QMessageBox* asked(QWidget& parent, const char* name)
     {

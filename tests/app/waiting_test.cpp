@@ -128,7 +128,7 @@ TEST_F(WaitingTest, AStoppedBakeSaysSoAndStartsWhenTheTechniqueIsChosenAgain)
     chooseAgain();
     EXPECT_TRUE(background().busy());
     settle();
-    EXPECT_TRUE(boundsFit(state(), window.assets().resources()));
+    EXPECT_TRUE(missingBounds(state(), window.assets().resources()).empty());
     EXPECT_TRUE(window.messages().all().isEmpty()) << window.messageLine().text().toStdString();
     chooseAgain();
     EXPECT_FALSE(background().busy()) << "all is there";

@@ -110,6 +110,9 @@ TEST(GltfRelief, NonsenseIsLeftOut)
     EXPECT_EQ(read->state.parameters.maxSteps, 512);
     EXPECT_EQ(read->state.parameters.minSteps, plain.minSteps);
     EXPECT_EQ(read->state.panes[0].technique, Pane().technique); // "reference" draws no pictures
+    read = openedWith(scratch, {{"depth", "deep"}});
+    ASSERT_TRUE(read) << message(read.error());
+    EXPECT_EQ(read->state.parameters.depth, plain.depth);
     read = openedWith(scratch, {{"heightTexture", {{"index", 77}}}, {"depth", 0.3}});
     ASSERT_TRUE(read) << message(read.error());
     EXPECT_EQ(read->state.parameters.depth, plain.depth);

@@ -1,0 +1,12 @@
+// Names of glTF extensions that are both read and written.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace relievo {
+
+inline constexpr const char* kReliefExtension = "RELIEVO_materials_relief"; // our own
+inline constexpr const char* kTransformExtension = "KHR_texture_transform";
+inline constexpr const char* kBrighterExtension = "KHR_materials_emissive_strength";
+
+} // namespace relievo

@@ -1,0 +1,32 @@
+// Driving the export dialog.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "app/window/export_dialog.h"
+#include "tests/app/window_support.h"
+#include <QLabel>
+#include <QLineEdit>
+
+namespace relievo {
+
+class ExportingTest : public WindowTest {
+protected:
+    ExportDialog& exportTo(const char* key)
+    {
+        window.action("export")->trigger();
+        auto& dialog = *window.findChild<ExportDialog*>();
+        int target = 0;
+        while (kExports[std::size_t(target)].key != key)
+            ++target;
+        dialog.setTarget(target);
+        return dialog;
+    }
+    static QLineEdit& out(ExportDialog& dialog) { return *dialog.findChild<QLineEdit*>("out"); }
+    static QLabel& result(ExportDialog& dialog) { return *dialog.findChild<QLabel*>("result"); }
+    static void finish(ExportDialog& dialog)
+    {
+        ASSERT_TRUE(waitFor([&] { return !dialog.busy(); }));
+    }
+};
+
+} // namespace relievo
