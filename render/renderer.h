@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/source.h"
+#include "core/scene/source.h"
 #include "core/state/state.h"
 #include <glm/vec2.hpp>
 #include <memory>

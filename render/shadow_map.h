@@ -4,7 +4,7 @@
 #pragma once
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/parameters.h"
-#include "render/gl_objects.h"
+#include "render/gl/gl_objects.h"
 #include <functional>
 #include <memory>
 #include <optional>

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-#include "core/image/image_file.h"
+#include "core/ground/text.h"
+#include "core/image/files/image_file.h"
 #include "core/maps/maps.h"
-#include "core/text.h"
 #include <chrono>
 #include <cstdio>
 #include <cstring>

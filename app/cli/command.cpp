@@ -2,10 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-#include "core/file.h"
-#include "core/image/image_file.h"
-#include "core/mesh/pose.h"
+#include "core/ground/file.h"
+#include "core/image/files/image_file.h"
+#include "core/mesh/animation/pose.h"
 #include "core/state/presets.h"
+#include "core/state/shapes.h"
 #include "core/state/state_json.h"
 #include "core/state/techniques.h"
 #include <algorithm>

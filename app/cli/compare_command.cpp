@@ -4,12 +4,12 @@
 #include "app/cli/measuring.h"
 #include "app/cli/text_painter.h"
 #include "core/analysis/report.h"
-#include "core/file.h"
-#include "core/image/image_file.h"
-#include "core/text.h"
+#include "core/ground/file.h"
+#include "core/ground/text.h"
+#include "core/image/files/image_file.h"
 #include "core/trace/shader_on_cpu.h"
-#include "render/frame_time.h"
-#include "render/picture_errors.h"
+#include "render/measure/frame_time.h"
+#include "render/measure/picture_errors.h"
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/exporters/exporters.h"
-#include "core/text.h"
+#include "core/ground/text.h"
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-#include "core/file.h"
+#include "core/ground/file.h"
+#include "core/state/shapes.h"
 #include <algorithm>
 #include <cstdio>
 #include <memory>

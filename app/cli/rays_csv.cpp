@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/rays_csv.h"
-#include "core/file.h"
+#include "core/ground/file.h"
 #include <algorithm>
 #include <charconv>
 #include <cmath>

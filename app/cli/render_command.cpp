@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-#include "core/image/image_file.h"
+#include "core/ground/text.h"
+#include "core/image/files/image_file.h"
 #include "core/state/views.h"
-#include "core/text.h"
 #include "render/legend.h"
-#include "render/mesh_errors.h"
+#include "render/measure/mesh_errors.h"
 #include "render/windowless.h"
 #include <charconv>
 #include <cstdio>

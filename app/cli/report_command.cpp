@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/measuring.h"
-#include "core/analysis/hard_cases.h"
 #include "core/analysis/report.h"
-#include "core/file.h"
-#include "core/image/image_file.h"
-#include "core/text.h"
-#include "render/frame_time.h"
-#include "render/mesh_errors.h"
-#include "render/picture_errors.h"
+#include "core/ground/file.h"
+#include "core/ground/text.h"
+#include "core/image/files/image_file.h"
+#include "core/image/samples/hard_cases.h"
+#include "render/measure/frame_time.h"
+#include "render/measure/mesh_errors.h"
+#include "render/measure/picture_errors.h"
 #include <charconv>
 #include <epoxy/gl.h>
 #include <memory>

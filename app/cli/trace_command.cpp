@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "app/cli/rays_csv.h"
-#include "core/file.h"
+#include "core/ground/file.h"
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/shader_files.h"
 #include "core/state/techniques.h"

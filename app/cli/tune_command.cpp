@@ -5,7 +5,7 @@
 #include "core/analysis/report.h"
 #include "core/analysis/tune.h"
 #include "core/state/state_json.h"
-#include "render/picture_errors.h"
+#include "render/measure/picture_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

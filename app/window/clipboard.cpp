@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/main_window.h"
-#include "app/window/viewport.h"
+#include "app/window/viewport/viewport.h"
 #include <QApplication>
 #include <QClipboard>
 

@@ -1,10 +1,10 @@
 // The editor: `relievo-editor [SOURCE] [--state-json FILE]`. Users start it as `relievo`, which passes the state in a file.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/files.h"
+#include "app/window/document/files.h"
+#include "app/window/document/recovery.h"
 #include "app/window/main_window.h"
-#include "app/window/recovery.h"
-#include "app/window/theme.h"
+#include "app/window/widgets/theme.h"
 #include "core/state/state_json.h"
 #include <QApplication>
 #include <QCommandLineParser>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "app/window/assets.h"
-#include "app/window/editing.h"
+#include "app/window/document/assets.h"
+#include "app/window/document/editing.h"
 #include "app/window/menus.h"
 #include <QMainWindow>
 

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/menus.h"
-#include "app/window/navigation.h"
-#include "app/window/text.h"
-#include "app/window/theme.h"
+#include "app/window/viewport/navigation.h"
+#include "app/window/widgets/text.h"
+#include "app/window/widgets/theme.h"
 #include <QAction>
 #include <QDialog>
 #include <QGridLayout>

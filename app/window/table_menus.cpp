@@ -1,10 +1,10 @@
 // Menus and keys that come from other tables than that of the actions: techniques, views, samples, recent files.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/files.h"
+#include "app/window/document/files.h"
 #include "app/window/main_window.h"
-#include "app/window/technique_bar.h"
-#include "app/window/text.h"
+#include "app/window/panels/technique_bar.h"
+#include "app/window/widgets/text.h"
 #include "core/state/views.h"
 #include <QMenu>
 #include <QMenuBar>

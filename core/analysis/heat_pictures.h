@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/analysis/settings.h"
-#include "core/error.h"
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
 #include "core/image/height_field.h"
 #include "core/image/image.h"
-#include "core/progress.h"
 
 namespace relievo {
 

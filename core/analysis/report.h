@@ -4,7 +4,7 @@
 #pragma once
 #include "core/analysis/heat_pictures.h"
 #include "core/analysis/sweep.h"
-#include "core/mesh/tangents.h"
+#include "core/mesh/frames/tangents.h"
 #include <cstddef>
 #include <optional>
 #include <string>

@@ -5,8 +5,8 @@
 #include "core/analysis/metrics.h"
 #include "core/analysis/ray_sets.h"
 #include "core/analysis/settings.h"
-#include "core/error.h"
-#include "core/progress.h"
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
 #include <string>
 #include <vector>
 

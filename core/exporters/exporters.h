@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
-#include "core/progress.h"
-#include "core/source.h"
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
+#include "core/scene/source.h"
 #include <array>
 #include <filesystem>
 #include <string_view>

@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
-#include "core/file.h"
+#include "core/gltf/gltf_extensions.h"
+#include "core/ground/file.h"
 #include "core/maps/float_image.h"
-#include "core/mesh/gltf_extensions.h"
-#include "core/mesh/pose.h"
+#include "core/mesh/animation/pose.h"
 #include "core/state/state_json.h"
 #include <cmath>
 #include <glm/common.hpp>

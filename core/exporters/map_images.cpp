@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/map_images.h"
 #include "core/maps/maps.h"
-#include "core/maps/normal.h"
+#include "core/maps/surface/normal.h"
 #include <charconv>
 #include <cmath>
 #include <tbb/parallel_for.h>

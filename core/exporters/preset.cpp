@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/exporters.h"
-#include "core/file.h"
+#include "core/ground/file.h"
 #include "core/state/state_json.h"
 
 namespace relievo {

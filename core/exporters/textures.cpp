@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
-#include "core/file.h"
+#include "core/ground/file.h"
 #include "core/maps/maps.h"
-#include "core/relief_numbers.h"
+#include "core/scene/relief_numbers.h"
 #include <nlohmann/json.hpp>
 
 namespace relievo {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/environment.h"
-#include "core/image/image_file.h"
+#include "core/image/files/image_file.h"
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
-#include "core/progress.h"
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>

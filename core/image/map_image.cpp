@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/map_image.h"
-#include "core/image/convention.h"
 #include "core/image/height_repair.h"
 #include "core/image/pixels.h"
+#include "core/image/sets/convention.h"
 #include <array>
 #include <cmath>
 #include <oneapi/tbb/parallel_for.h>

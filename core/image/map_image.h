@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
+#include "core/ground/error.h"
+#include "core/image/files/image_file.h"
 #include "core/image/height_field.h"
-#include "core/image/image_file.h"
 #include "core/state/map_slots.h"
 #include <memory>
 

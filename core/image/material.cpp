@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/material.h"
-#include "core/analysis/hard_cases.h"
-#include "core/image/file_names.h"
+#include "core/gltf/pictures.h"
 #include "core/image/map_image.h"
-#include "core/image/samples.h"
-#include "core/mesh/pictures.h"
+#include "core/image/samples/hard_cases.h"
+#include "core/image/samples/samples.h"
+#include "core/image/sets/file_names.h"
 #include <algorithm>
 #include <charconv>
 #include <mutex>

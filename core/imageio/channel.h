@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/image/imageio_protocol.h"
+#include "core/image/files/imageio_protocol.h"
 #include <span>
 #include <string>
 #include <utility>

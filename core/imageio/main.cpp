@@ -1,10 +1,10 @@
 // relievo-imageio: the small program that decodes and encodes image files for the editor, within limits, so that a bad file cannot hurt it.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ground/text.h"
 #include "core/imageio/channel.h"
 #include "core/imageio/read.h"
 #include "core/imageio/write.h"
-#include "core/text.h"
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <filesystem>

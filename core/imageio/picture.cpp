@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/imageio/picture.h"
-#include "core/image/image_file.h"
+#include "core/image/files/image_file.h"
 #include "core/imageio/read.h"
 #include <algorithm>
 #include <fstream>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/maps/map_cache.h"
-#include "core/file.h"
+#include "core/ground/file.h"
 #include "core/maps/maps.h"
 #include "core/state/techniques.h"
 #include <algorithm>

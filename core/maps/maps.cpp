@@ -5,7 +5,7 @@
 #include "core/maps/float_image.h"
 #include "core/maps/map_cache.h"
 #include "core/maps/memory_guard.h"
-#include "core/maps/normal.h"
+#include "core/maps/surface/normal.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>

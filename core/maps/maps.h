@@ -2,18 +2,18 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
 #include "core/image/height_field.h"
 #include "core/image/image.h"
+#include "core/maps/acceleration/cell_cones.h"
+#include "core/maps/acceleration/cone.h"
+#include "core/maps/acceleration/distance.h"
+#include "core/maps/acceleration/pyramid.h"
 #include "core/maps/baked_map.h"
-#include "core/maps/cell_cones.h"
-#include "core/maps/cone.h"
-#include "core/maps/curvature.h"
-#include "core/maps/distance.h"
-#include "core/maps/height_from_normal.h"
-#include "core/maps/horizon.h"
-#include "core/maps/pyramid.h"
-#include "core/progress.h"
+#include "core/maps/surface/curvature.h"
+#include "core/maps/surface/height_from_normal.h"
+#include "core/maps/surface/horizon.h"
 #include "core/state/parameters.h"
 #include <array>
 #include <string_view>

@@ -1,9 +1,9 @@
 // Faults of a mesh that can be drawn nevertheless, counted for `relievo info`.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/frames.h"
+#include "core/mesh/frames/frames.h"
+#include "core/mesh/frames/tangents.h"
 #include "core/mesh/numbering.h"
-#include "core/mesh/tangents.h"
 #include <algorithm>
 #include <cstdio>
 #include <glm/geometric.hpp>

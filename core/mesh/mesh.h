@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
-#include "core/progress.h"
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
 #include "core/state/map_slots.h"
 #include <array>
 #include <cstdint>
@@ -82,10 +82,6 @@ struct Mesh {
 // Which of mesh.parts show no relief: those that have none, and those of other materials than the chosen one. chosen: State::part; a name
 // that no part of the mesh has (of another mesh) chooses none.
 std::vector<char> plainParts(const Mesh& mesh, std::string_view chosen);
-
-// Shapes made by formula, largest size 1 m, centred (design.md section 3).
-inline constexpr std::array<std::string_view, 8> kShapes
-    = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character"};
 
 // nameOrFile: a row of kShapes, or a file: .gltf .glb .obj .ply .stl .off. Errors name the file and the cure; a file without
 // triangles, with broken indices or missing buffers is refused. Finite positions only; bad normals are remade and told.

@@ -1,10 +1,10 @@
 // Opening meshes by name or file, and describing them as JSON.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ground/text.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/raw_mesh.h"
-#include "core/mesh/shapes.h"
-#include "core/text.h"
+#include "core/mesh/readers/raw_mesh.h"
+#include "core/mesh/shapes/shapes.h"
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

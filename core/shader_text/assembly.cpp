@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shader_text/assembly.h"
-#include "core/file.h"
-#include "core/maps/search_texture.h"
+#include "core/ground/file.h"
+#include "core/maps/acceleration/search_texture.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/shader_text/shader_files.h"
 #include <algorithm>
@@ -171,14 +171,14 @@ std::string uniformDeclarations(const std::string& text)
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
     declare("samplerBuffer", "borderMap");
-    declare("samplerBuffer", "prismMap"); // see prisms.glsl
+    declare("samplerBuffer", "prismMap"); // see sight/prisms.glsl
     declare("float", "firstTriangle"); // that is drawn, of those in these maps
     declare("samplerCube", "environmentMap");
     declare("sampler2D", "exactMap"); // distances of the displaced mesh, m; negative: unknown
     declare("sampler2DShadow", "shadowMap");
-    declare("samplerBuffer", "poseMap"); // see place_posed.glsl
+    declare("samplerBuffer", "poseMap"); // see vertex/place_posed.glsl
     declare("samplerBuffer", "morphMap");
-    declare("float", "heightUnits"); // see stored_exact.glsl
+    declare("float", "heightUnits"); // see heights/stored_exact.glsl
     declare("float", "boundUnits");
     declare("sampler2D", "rayMap");
     declare("sampler2D", "cosineMap");

@@ -54,14 +54,14 @@ std::string mapFunctions(const std::set<MapKind>& maps, std::string_view text)
 
 std::string_view normalsFile(const std::set<MapKind>& maps)
 {
-    return maps.contains(MapKind::Normal) ? "normals_from_map.glsl"
-        : maps.contains(MapKind::Height)  ? "normals_from_height.glsl"
-                                          : "normals_none.glsl";
+    return maps.contains(MapKind::Normal) ? "surface/normals_from_map.glsl"
+        : maps.contains(MapKind::Height)  ? "surface/normals_from_height.glsl"
+                                          : "surface/normals_none.glsl";
 }
 
 constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"};
 
-constexpr std::string_view kFrameFiles[] = {"frame_vertex.glsl", "frame_derivatives.glsl", "frame_thesis.glsl"};
+constexpr std::string_view kFrameFiles[] = {"surface/frame_vertex.glsl", "surface/frame_derivatives.glsl", "surface/frame_thesis.glsl"};
 
 bool isAgainstExact(std::string_view view)
 {
@@ -82,26 +82,26 @@ void boundFiles(Assembly& part, const TechniqueRow& technique, std::string_view 
         return;
     const MapForm form = findMap(technique.bound)->form;
     if (form == MapForm::Pyramid || form == MapForm::Codes)
-        part.file("bounds_texels.glsl");
+        part.file("bounds/bounds_texels.glsl");
     else
-        part.file("bounds_scale.glsl").file(form == MapForm::Volume ? volume : filtered);
+        part.file("bounds/bounds_scale.glsl").file(form == MapForm::Volume ? volume : filtered);
 }
 
 // The technique and what it reads the maps by, for pictures.
 void searchFiles(Assembly& part, const TechniqueRow& technique, const ProgramFeatures& features)
 {
     const bool filtered = listHas(technique.maps, "height") && (!technique.isExact || features.coarser); // else no level is chosen by pixel
-    part.file(filtered ? "heights_filtered.glsl" : "heights_none.glsl");
+    part.file(filtered ? "heights/heights_filtered.glsl" : "heights/heights_none.glsl");
     if (technique.isExact || (isAgainstExact(features.view) && !features.onMesh)) {
         if (!filtered)
-            part.file("level_base.glsl");
-        part.file(features.clamps ? "edges_clamp.glsl" : "edges_repeat.glsl")
-            .file("wrapped_texel.glsl")
-            .file(features.coarser ? "heights_corners_texels.glsl" : "heights_corners.glsl");
+            part.file("heights/level_base.glsl");
+        part.file(features.clamps ? "heights/edges_clamp.glsl" : "heights/edges_repeat.glsl")
+            .file("heights/wrapped_texel.glsl")
+            .file(features.coarser ? "heights/heights_corners_texels.glsl" : "heights/heights_corners.glsl");
     }
-    boundFiles(part, technique, "bounds_filtered.glsl", "volume_filtered.glsl");
+    boundFiles(part, technique, "bounds/bounds_filtered.glsl", "bounds/volume_filtered.glsl");
     if (filtered)
-        part.file("height_on.glsl");
+        part.file("search/height_on.glsl");
     part.file(technique.file);
 }
 
@@ -117,60 +117,60 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     // First the shading texts alone, to know which maps they read; the functions must stand before their use.
     const auto body = [&](Assembly& part) {
         if (features.technique == "flat")
-            part.file("normals_none.glsl");
+            part.file("surface/normals_none.glsl");
         else
             part.file(normalsFile(features.maps));
         if (technique->searches && features.shadows)
-            part.file(technique->isExact ? "shadow_end_exact.glsl" : "shadow_end_bias.glsl")
-                .file(features.prisms ? "shadow_prisms.glsl" : "shadow_search.glsl")
-                .file(features.softShadows ? "shadow_soft.glsl" : "shadow_hard.glsl");
+            part.file(technique->isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
+                .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl")
+                .file(features.softShadows ? "shadow/shadow_soft.glsl" : "shadow/shadow_hard.glsl");
         else
-            part.file("shadow_none.glsl");
-        part.file(features.objectShadows ? "shadow_map.glsl" : "shadow_map_none.glsl");
+            part.file("shadow/shadow_none.glsl");
+        part.file(features.objectShadows ? "shadow/shadow_map.glsl" : "shadow/shadow_map_none.glsl");
         if (isLit(features.view))
-            part.file("environment.glsl").file(kShadingFiles[features.shading]);
+            part.file("shading/environment.glsl").file(kShadingFiles[features.shading]);
         part.file(features.onMesh ? "views/error_on_mesh.glsl" : view->file);
     };
     Assembly draft(read);
-    draft.file("holes_cut.glsl");
+    draft.file("sight/holes_cut.glsl");
     body(draft);
     const auto drafted = draft.finish();
     if (!drafted)
         return drafted;
 
     Assembly part(read);
-    part.file("contract.glsl")
-        .file(features.curved ? "bend_quadric.glsl" : "bend_none.glsl")
-        .file("surface.glsl")
+    part.file("search/contract.glsl")
+        .file(features.curved ? "search/bend_quadric.glsl" : "search/bend_none.glsl")
+        .file("surface/surface.glsl")
         .file(kFrameFiles[features.frames])
-        .file(features.faded ? "depth_faded.glsl" : "depth_constant.glsl")
+        .file(features.faded ? "surface/depth_faded.glsl" : "surface/depth_constant.glsl")
         .generated(mapFunctions(features.maps, drafted->text));
     searchFiles(part, *technique, features);
     if (features.curved && !features.prisms)
-        part.file(features.borders ? "borders_cut.glsl" : "borders_none.glsl");
-    part.file(!features.curved    ? "sight_straight.glsl"
-                : features.prisms ? "sight_prisms.glsl"
-                                  : "sight_curved.glsl")
-        .file(features.view == "outline" ? "holes_shown.glsl" : "holes_cut.glsl")
-        .file(features.depthOfHit ? "depth_of_hit.glsl" : "depth_of_polygon.glsl");
+        part.file(features.borders ? "sight/borders_cut.glsl" : "sight/borders_none.glsl");
+    part.file(!features.curved    ? "sight/sight_straight.glsl"
+                : features.prisms ? "sight/sight_prisms.glsl"
+                                  : "sight/sight_curved.glsl")
+        .file(features.view == "outline" ? "sight/holes_shown.glsl" : "sight/holes_cut.glsl")
+        .file(features.depthOfHit ? "surface/depth_of_hit.glsl" : "surface/depth_of_polygon.glsl");
     body(part);
     if (view->isHeat)
-        part.file("heat.glsl")
+        part.file("output/heat.glsl")
             .generated(features.linear ? "vec3 writeView(Surface s) { return vec3(viewValue(s)); }"
                                        : "vec3 writeView(Surface s) { return heat(viewValue(s) * heatScale); }");
     else if (view->isColor && !features.linear)
-        part.file("display.glsl").generated("vec3 writeView(Surface s) { return toDisplay(viewColor(s)); }");
+        part.file("output/display.glsl").generated("vec3 writeView(Surface s) { return toDisplay(viewColor(s)); }");
     else
         part.generated("vec3 writeView(Surface s) { return viewColor(s); }");
-    return part.file("main.glsl").finish();
+    return part.file("output/main.glsl").finish();
 }
 
 Expected<ShaderText> meshVertex(bool posed, bool curved, const ShaderReader& read)
 {
     return Assembly(read)
-        .file(posed ? "place_posed.glsl" : "place_rest.glsl")
-        .file(curved ? "curved_quadric.glsl" : "curved_none.glsl")
-        .file("mesh_vertex.glsl")
+        .file(posed ? "vertex/place_posed.glsl" : "vertex/place_rest.glsl")
+        .file(curved ? "vertex/curved_quadric.glsl" : "vertex/curved_none.glsl")
+        .file("vertex/mesh_vertex.glsl")
         .finish();
 }
 
@@ -213,17 +213,17 @@ Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderR
 Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read)
 {
     Assembly fragment(read);
-    fragment.file("environment.glsl");
+    fragment.file("shading/environment.glsl");
     if (linear)
         fragment.generated("vec3 shownColor(vec3 color) { return color; }");
     else
-        fragment.file("display.glsl").generated("vec3 shownColor(vec3 color) { return toDisplay(color); }");
-    return program(Assembly(read).file("background_vertex.glsl").finish(), fragment.file("background.glsl").finish());
+        fragment.file("output/display.glsl").generated("vec3 shownColor(vec3 color) { return toDisplay(color); }");
+    return program(Assembly(read).file("vertex/background_vertex.glsl").finish(), fragment.file("output/background.glsl").finish());
 }
 
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)
 {
-    return program(meshVertex(posed, false, read), Assembly(read).file("wireframe.glsl").finish());
+    return program(meshVertex(posed, false, read), Assembly(read).file("output/wireframe.glsl").finish());
 }
 
 Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect)
@@ -232,18 +232,18 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
     if (!row || row->file.empty())
         return failure(std::string(technique), "this technique does not run on the GPU", "Use --device cpu");
     Assembly fragment(read, dialect);
-    fragment.file("contract.glsl").file("stored_exact.glsl");
+    fragment.file("search/contract.glsl").file("heights/stored_exact.glsl");
     if (listHas(row->maps, "height"))
-        fragment.file("level_base.glsl")
-            .file("edges_either.glsl")
-            .file("wrapped_texel.glsl")
-            .file(dialect == Dialect::Desktop ? "heights_corners.glsl" : "heights_corners_texels.glsl")
-            .file("heights_exact.glsl")
-            .file("bend_none.glsl")
-            .file("height_on.glsl");
-    boundFiles(fragment, *row, "bounds_exact.glsl", "volume_exact.glsl");
-    return program(
-        Assembly(read, dialect).file("full_screen_vertex.glsl").finish(), fragment.file(row->file).file("trace_rays.glsl").finish());
+        fragment.file("heights/level_base.glsl")
+            .file("heights/edges_either.glsl")
+            .file("heights/wrapped_texel.glsl")
+            .file(dialect == Dialect::Desktop ? "heights/heights_corners.glsl" : "heights/heights_corners_texels.glsl")
+            .file("heights/heights_exact.glsl")
+            .file("search/bend_none.glsl")
+            .file("search/height_on.glsl");
+    boundFiles(fragment, *row, "bounds/bounds_exact.glsl", "bounds/volume_exact.glsl");
+    return program(Assembly(read, dialect).file("vertex/full_screen_vertex.glsl").finish(),
+        fragment.file(row->file).file("search/trace_rays.glsl").finish());
 }
 
 } // namespace relievo

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
+#include "core/ground/error.h"
 #include "core/state/map_slots.h"
 #include "core/state/parameters.h"
 #include <filesystem>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/state_json.h"
-#include "core/file.h"
-#include "core/mesh/mesh.h"
+#include "core/ground/file.h"
+#include "core/state/shapes.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
+#include "core/ground/error.h"
 #include "core/state/state.h"
 #include "core/state/techniques.h"
 #include <filesystem>

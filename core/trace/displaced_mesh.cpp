@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/displaced_mesh.h"
-#include "core/mesh/across.h"
-#include "core/mesh/closed.h"
-#include "core/mesh/push.h"
+#include "core/mesh/edges/across.h"
+#include "core/mesh/edges/closed.h"
+#include "core/mesh/frames/push.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/state.h"
 #include <algorithm>

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
 #include "core/image/height_field.h"
 #include "core/mesh/mesh.h"
-#include "core/progress.h"
 #include "core/state/camera_view.h"
 #include "core/state/parameters.h"
 #include <limits>

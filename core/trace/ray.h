@@ -11,7 +11,8 @@ namespace relievo {
 struct SearchRay {
     glm::dvec2 uv{0.}, duv{0.};
     double cosView = 1.; // |N.V|, in (0, 1]
-    // Over a curved surface the depth at t is t - bend.x - bend.y t - bend.z t^2 (shaders/bend_quadric.glsl); the reference takes 0 only.
+    // Over a curved surface the depth at t is t - bend.x - bend.y t - bend.z t^2 (shaders/search/bend_quadric.glsl); the reference takes 0
+    // only.
     glm::dvec3 bend{0.};
 };
 

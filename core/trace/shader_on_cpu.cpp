@@ -31,7 +31,7 @@ struct Hit {
     int fetches;
 };
 
-// What heights_exact.glsl, bounds_exact.glsl and the generated declarations are on the GPU.
+// What heights/heights_exact.glsl, bounds/bounds_exact.glsl and the generated declarations are on the GPU.
 struct Machine : Parameters {
     const HeightField* heightMap = nullptr;
     const SearchTexture* boundMap = nullptr;
@@ -48,8 +48,8 @@ struct Machine : Parameters {
         bytes += heightBytes;
         return heightMap->at(uv);
     }
-#include "shaders/bend_quadric.glsl"
-#include "shaders/height_on.glsl"
+#include "shaders/search/bend_quadric.glsl"
+#include "shaders/search/height_on.glsl"
     vec4 cornersAt(vec2 cell) const
     {
         bytes += 4 * heightBytes;
@@ -104,7 +104,7 @@ struct Machine : Parameters {
     }
 
 private:
-    // As bounds_exact.glsl, operation by operation.
+    // As bounds/bounds_exact.glsl, operation by operation.
     struct Bilinear {
         ivec2 low, high;
         vec2 f;
@@ -136,10 +136,10 @@ private:
 #undef RELIEVO_TECHNIQUE_END
 
 struct ExactWalk : Machine {
-#include "shaders/exact_walk.glsl"
+#include "shaders/search/exact_walk.glsl"
 };
 struct Heat {
-#include "shaders/heat.glsl"
+#include "shaders/output/heat.glsl"
 };
 } // namespace relievo::glsl
 

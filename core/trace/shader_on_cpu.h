@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/error.h"
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
 #include "core/image/height_field.h"
-#include "core/maps/search_texture.h"
-#include "core/progress.h"
+#include "core/maps/acceleration/search_texture.h"
 #include "core/state/parameters.h"
 #include "core/trace/ray.h"
 #include <glm/vec3.hpp>
@@ -36,10 +36,10 @@ Expected<std::vector<SearchHit>> traceRays(std::string_view key, const Parameter
 Expected<std::vector<SearchHit>> traceRays(std::string_view key, const Parameters& parameters, const HeightField* field,
     std::span<const SearchRay> rays, const Progress& progress = {});
 
-// The float text of the error view's exact walk (shaders/exact_walk.glsl), for its test against exactHit.
+// The float text of the error view's exact walk (shaders/search/exact_walk.glsl), for its test against exactHit.
 float exactDepthInFloat(const HeightField& field, const SearchRay& ray);
 
-// The heat map of shaders/heat.glsl: colour (display values) of x in [0, 1]. For legends.
+// The heat map of shaders/output/heat.glsl: colour (display values) of x in [0, 1]. For legends.
 glm::vec3 heatColor(float x);
 
 } // namespace relievo

@@ -2,8 +2,8 @@
 // a cell that the ray may touch is solved exactly. Ours; definition and proof in resources/help/cell-cones.md.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "cell_solve.glsl"
-#include "walk.glsl"
+#include "search/cell_solve.glsl"
+#include "search/walk.glsl"
 
 Hit trace(Ray ray)
 {

@@ -1,10 +1,10 @@
 // Quad-directional cone step mapping: as cone step mapping, with a cone of its own for each of four sectors of directions.
-// Policarpo and Oliveira 2007, GPU Gems 3, chapter 18 (figure 18-1); the map is described in core/maps/cone.h. Height and cones take two
+// Policarpo and Oliveira 2007, GPU Gems 3, chapter 18 (figure 18-1); the map is described in core/maps/acceleration/cone.h. Height and cones take two
 // fetches.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "bisection.glsl"
-#include "cone_leap.glsl"
+#include "search/bisection.glsl"
+#include "search/cone_leap.glsl"
 
 Hit trace(Ray ray)
 {

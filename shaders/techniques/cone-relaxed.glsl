@@ -4,8 +4,8 @@
 // step can be lost. lastBracket: halve the last step only, and only when it went inside.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "bisection.glsl"
-#include "cone_leap.glsl"
+#include "search/bisection.glsl"
+#include "search/cone_leap.glsl"
 
 Hit trace(Ray ray)
 {

@@ -3,8 +3,8 @@
 // by which cones of texels that nothing rises above bound the bilinear surface between them too; relaxed cones it only makes safer.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "bisection.glsl"
-#include "cone_leap.glsl"
+#include "search/bisection.glsl"
+#include "search/cone_leap.glsl"
 
 Hit trace(Ray ray)
 {

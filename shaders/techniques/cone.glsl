@@ -3,8 +3,8 @@
 // end inside the bilinear surface; such a step is halved.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "bisection.glsl"
-#include "cone_leap.glsl"
+#include "search/bisection.glsl"
+#include "search/cone_leap.glsl"
 
 Hit trace(Ray ray)
 {

@@ -2,7 +2,7 @@
 // Riccardi 2019, Contact Refinement Parallax Mapping. The first small step inside is the answer.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "steps.glsl"
+#include "search/steps.glsl"
 
 Hit trace(Ray ray)
 {

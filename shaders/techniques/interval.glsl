@@ -2,8 +2,8 @@
 // Risser, Shah, Pattanaik 2007, Faster Relief Mapping Using the Secant Method, Journal of Graphics Tools 12(3).
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "secant.glsl"
-#include "steps.glsl"
+#include "search/secant.glsl"
+#include "search/steps.glsl"
 
 Hit trace(Ray ray)
 {

@@ -2,8 +2,8 @@
 // Tatarchuk 2006, Dynamic Parallax Occlusion Mapping with Approximate Soft Shadows.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "secant.glsl"
-#include "steps.glsl"
+#include "search/secant.glsl"
+#include "search/steps.glsl"
 
 Hit trace(Ray ray)
 {

@@ -3,7 +3,7 @@
 // so a ray always ends on something.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "bisection.glsl"
+#include "search/bisection.glsl"
 
 Hit trace(Ray ray)
 {

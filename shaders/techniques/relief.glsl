@@ -3,8 +3,8 @@
 // the angle as there ("delta varies from fragment to fragment as function of the angle between VD' and the normal").
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "bisection.glsl"
-#include "steps.glsl"
+#include "search/bisection.glsl"
+#include "search/steps.glsl"
 
 Hit trace(Ray ray)
 {

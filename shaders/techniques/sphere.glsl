@@ -1,6 +1,6 @@
 // Sphere tracing in a volume of distances: each step is as long as the empty ball around the point allows.
 // Donnelly 2005, Per-Pixel Displacement Mapping with Distance Functions (GPU Gems 2, chapter 8). The volume's metric counts a unit of
-// depth as a quarter of a tile (core/maps/distance.h), so any depth of relief is right without a new volume.
+// depth as a quarter of a tile (core/maps/acceleration/distance.h), so any depth of relief is right without a new volume.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 Hit trace(Ray ray)

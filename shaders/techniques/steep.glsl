@@ -2,7 +2,7 @@
 // McGuire and McGuire 2005, Steep Parallax Mapping.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "steps.glsl"
+#include "search/steps.glsl"
 
 Hit trace(Ray ray)
 {

@@ -1,7 +1,7 @@
 // By how much the depth found exceeds that of the exact first hit, as a share of the relief's depth.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "exact_walk.glsl"
+#include "search/exact_walk.glsl"
 
 float depthDifference(Surface surface)
 {

@@ -1,7 +1,7 @@
 // The document: one door, undo by gesture, the camera outside of it, saving and opening again.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/document.h"
+#include "app/window/document/document.h"
 #include "core/state/state_json.h"
 #include <QTemporaryDir>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "app/window/export_dialog.h"
+#include "app/window/dialogs/export_dialog.h"
 #include "tests/app/window_support.h"
 #include <QLabel>
 #include <QLineEdit>

@@ -1,10 +1,10 @@
 // Files in the window: opening, dropping, assigning, saving, exporting, and what happens when they are broken.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/background.h"
-#include "app/window/export_dialog.h"
-#include "app/window/files.h"
-#include "core/image/samples.h"
+#include "app/window/dialogs/export_dialog.h"
+#include "app/window/document/background.h"
+#include "app/window/document/files.h"
+#include "core/image/samples/samples.h"
 #include "tests/app/window_support.h"
 #include <QLineEdit>
 #include <QMessageBox>

@@ -1,7 +1,7 @@
 // Work that waits for files: nothing is dropped, reverted or started for nothing, and what could not be done is told until it is cured.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/mesh_reference.h"
+#include "app/window/viewport/mesh_reference.h"
 #include "core/exporters/exporters.h"
 #include "core/mesh/mesh.h"
 #include "core/state/presets.h"

@@ -1,7 +1,7 @@
 // Starts the window tests: an application with settings of its own, and OpenGL 4.1 as the editor asks for.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/theme.h"
+#include "app/window/widgets/theme.h"
 #include <QApplication>
 #include <QSurfaceFormat>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Meshes in the window: the animation bar and the choice of a part, driven by real events.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/animation_bar.h"
-#include "app/window/mesh_reference.h"
+#include "app/window/panels/animation_bar.h"
+#include "app/window/viewport/mesh_reference.h"
 #include "tests/app/window_support.h"
 #include <QBuffer>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 // Projects whose files have moved: they open, say what is missing, keep its name, and show it again when it is back.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/export_dialog.h"
+#include "app/window/dialogs/export_dialog.h"
 #include "core/mesh/mesh.h"
 #include "core/state/state_json.h"
 #include "tests/app/window_support.h"

@@ -1,7 +1,7 @@
 // Unsaved work after a crash.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/recovery.h"
+#include "app/window/document/recovery.h"
 #include "core/state/state_json.h"
 #include "tests/app/window_support.h"
 #include <QMessageBox>

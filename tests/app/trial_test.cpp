@@ -1,8 +1,8 @@
 // What an artist's trial found: the wheel over lists, numbers that do not fit, typed units, menus by keys, narrow windows.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/overlays.h"
-#include "app/window/slider_scale.h"
+#include "app/window/viewport/overlays.h"
+#include "app/window/widgets/slider_scale.h"
 #include "core/state/views.h"
 #include "tests/app/window_support.h"
 #include <QComboBox>

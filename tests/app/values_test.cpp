@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions.h"
-#include "app/window/editing.h"
-#include "app/window/frame_pacer.h"
-#include "app/window/messages.h"
-#include "app/window/navigation.h"
-#include "app/window/recent_files.h"
-#include "app/window/slider_scale.h"
+#include "app/window/document/editing.h"
+#include "app/window/document/messages.h"
+#include "app/window/document/recent_files.h"
+#include "app/window/viewport/frame_pacer.h"
+#include "app/window/viewport/navigation.h"
+#include "app/window/widgets/slider_scale.h"
 #include "core/state/techniques.h"
 #include <QFile>
 #include <QSettings>

@@ -1,7 +1,7 @@
 // What takes its time says so while it lasts, can be stopped and begun again, and is kept as long as it holds.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/mesh_reference.h"
+#include "app/window/viewport/mesh_reference.h"
 #include "tests/app/window_support.h"
 #include <QLabel>
 #include <QToolButton>

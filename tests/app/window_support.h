@@ -2,19 +2,19 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "app/window/controls.h"
-#include "app/window/editing.h"
-#include "app/window/files.h"
+#include "app/window/document/editing.h"
+#include "app/window/document/files.h"
+#include "app/window/document/recent_files.h"
 #include "app/window/main_window.h"
-#include "app/window/map_panel.h"
-#include "app/window/map_row.h"
-#include "app/window/message_line.h"
-#include "app/window/number_field.h"
-#include "app/window/parameter_editor.h"
-#include "app/window/parameter_panel.h"
-#include "app/window/recent_files.h"
-#include "app/window/technique_bar.h"
-#include "app/window/viewport.h"
+#include "app/window/panels/map_panel.h"
+#include "app/window/panels/map_row.h"
+#include "app/window/panels/message_line.h"
+#include "app/window/panels/parameter_editor.h"
+#include "app/window/panels/parameter_panel.h"
+#include "app/window/panels/technique_bar.h"
+#include "app/window/viewport/viewport.h"
+#include "app/window/widgets/controls.h"
+#include "app/window/widgets/number_field.h"
 #include <QAction>
 #include <QApplication>
 #include <QMimeData>

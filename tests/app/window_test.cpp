@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions.h"
-#include "app/window/color_dialog.h"
-#include "app/window/overlays.h"
+#include "app/window/dialogs/color_dialog.h"
+#include "app/window/viewport/overlays.h"
 #include "tests/app/window_support.h"
 #include <QClipboard>
 #include <QLabel>

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/settings.h"
 #include "core/analysis/sweep.h"
-#include "render/frame_time.h"
-#include "render/picture_errors.h"
+#include "render/measure/frame_time.h"
+#include "render/measure/picture_errors.h"
 #include <cstdio>
 #include <cstdlib>
 

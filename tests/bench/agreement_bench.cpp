@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/techniques.h"
-#include "tests/core/source_support.h"
+#include "tests/core/image/source_support.h"
 #include "tests/render/agreement.h"
 #include <algorithm>
 #include <cstdio>

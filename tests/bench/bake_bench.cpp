@@ -3,12 +3,12 @@
 // Text on stdout; the plot shows seconds over size with the line of N^2 log N.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file.h"
-#include "core/image/samples.h"
+#include "core/ground/file.h"
+#include "core/image/samples/samples.h"
 #include "core/maps/maps.h"
-#include "core/maps/normal.h"
-#include "tests/core/maps_support.h"
-#include "tests/core/source_support.h"
+#include "core/maps/surface/normal.h"
+#include "tests/core/image/source_support.h"
+#include "tests/core/maps/maps_support.h"
 #include <chrono>
 #include <cstdio>
 #include <ctime>

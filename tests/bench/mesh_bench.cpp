@@ -3,7 +3,7 @@
 // mesh_bench [DEPTH] [MESH...]; DEPTH: share of the mesh's longest side; a tile of the texture is a quarter of that side.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/mesh_errors.h"
+#include "render/measure/mesh_errors.h"
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/exact_search.h"
 #include "core/trace/reference.h"
-#include "tests/core/source_support.h"
+#include "tests/core/image/source_support.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Writes the corners of a mesh and the tangents made for them, for tangent_bench.sh to compare.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/frames/tangents.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/tangents.h"
 #include <cstdio>
 #include <fstream>
 

@@ -2,10 +2,10 @@
 // Usage: viewport_bench [WIDTHxHEIGHT] [SHAPE] [TECHNIQUE]
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/files.h"
+#include "app/window/document/files.h"
 #include "app/window/main_window.h"
-#include "app/window/theme.h"
-#include "app/window/viewport.h"
+#include "app/window/viewport/viewport.h"
+#include "app/window/widgets/theme.h"
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QMouseEvent>

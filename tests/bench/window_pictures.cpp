@@ -1,13 +1,13 @@
 // Pictures of the editor window in its states, to be looked at: window_pictures FOLDER [NAME ...].
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/editing.h"
-#include "app/window/export_dialog.h"
-#include "app/window/files.h"
+#include "app/window/dialogs/export_dialog.h"
+#include "app/window/document/editing.h"
+#include "app/window/document/files.h"
 #include "app/window/main_window.h"
-#include "app/window/message_line.h"
-#include "app/window/theme.h"
-#include "app/window/viewport.h"
+#include "app/window/panels/message_line.h"
+#include "app/window/viewport/viewport.h"
+#include "app/window/widgets/theme.h"
 #include <QAction>
 #include <QApplication>
 #include <QDir>

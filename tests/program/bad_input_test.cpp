@@ -1,8 +1,8 @@
 // Bad input and bad places for output, given to the command line: one sentence each, nothing lost, no litter.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file.h"
-#include "tests/core/image_support.h"
+#include "core/ground/file.h"
+#include "tests/core/image/image_support.h"
 #include "tests/program/run.h"
 #include <cstdlib>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Every mesh and every damaged file beside the checkout: opened or refused in one sentence, never worse.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file.h"
-#include "core/image/image_file.h"
+#include "core/ground/file.h"
+#include "core/image/files/image_file.h"
 #include "tests/program/run.h"
 #include <algorithm>
 #include <cmath>

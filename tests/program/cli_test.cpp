@@ -1,8 +1,8 @@
 // The command line as cli.md promises it: exit codes, messages and files.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file.h"
-#include "core/image/image_file.h"
+#include "core/ground/file.h"
+#include "core/image/files/image_file.h"
 #include "core/maps/maps.h"
 #include "core/state/parameters.h"
 #include "tests/program/run.h"

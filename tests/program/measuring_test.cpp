@@ -1,7 +1,7 @@
 // relievo report, tune and compare as a user calls them.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file.h"
+#include "core/ground/file.h"
 #include "tests/program/run.h"
 #include <algorithm>
 #include <fstream>

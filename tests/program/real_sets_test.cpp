@@ -1,7 +1,7 @@
 // Every real texture set beside the checkout: named right, drawn, traced alike by CPU and GPU.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file.h"
+#include "core/ground/file.h"
 #include "tests/program/run.h"
 #include <cmath>
 #include <fstream>

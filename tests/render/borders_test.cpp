@@ -4,7 +4,7 @@
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/trace/displaced_mesh.h"
-#include "render/mesh_errors.h"
+#include "render/measure/mesh_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

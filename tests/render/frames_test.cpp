@@ -1,7 +1,7 @@
 // Frames without tangents, and pixels that are no numbers.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/mesh_errors.h"
+#include "render/measure/mesh_errors.h"
 #include "tests/render/mesh_support.h"
 #include <glm/geometric.hpp>
 

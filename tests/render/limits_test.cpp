@@ -1,8 +1,8 @@
 // What a driver cannot do is told, or left.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/pose.h"
-#include "render/driver_limits.h"
+#include "core/mesh/animation/pose.h"
+#include "render/gl/driver_limits.h"
 #include "tests/render/mesh_support.h"
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>

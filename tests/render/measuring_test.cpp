@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/settings.h"
-#include "render/frame_time.h"
-#include "render/picture_errors.h"
+#include "render/measure/frame_time.h"
+#include "render/measure/picture_errors.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Relief on meshes: poses on the GPU, shadows between objects, interpenetration, parts, fine meshes.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/image/image_file.h"
-#include "core/mesh/pose.h"
-#include "render/mesh_errors.h"
+#include "core/image/files/image_file.h"
+#include "core/mesh/animation/pose.h"
+#include "render/measure/mesh_errors.h"
 #include "tests/render/mesh_support.h"
 #include <cmath>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // The renderer in a windowless context: pictures that are right, and nothing that a State does not use.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file.h"
+#include "core/ground/file.h"
 #include "core/shader_text/shader_files.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"

@@ -1,0 +1,132 @@
+// Asking for files and about unsaved work.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/dialogs/dialogs.h"
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+
+namespace relievo {
+namespace {
+struct FileKindRow {
+    const char* key;
+    const char* label;
+    const char* suffixes;
+};
+constexpr const char* kImages = "png jpg jpeg tif tiff tga bmp exr hdr dds";
+constexpr FileKindRow kFileKinds[] = {
+    {"source", "Projects and images", "relievo png jpg jpeg tif tiff tga bmp exr hdr dds gltf glb obj"},
+    {"project", "Projects", "relievo"},
+    {"image", "Images", kImages},
+    {"mesh", "Meshes", "gltf glb obj ply stl off"},
+    {"panorama", "Panoramas", "hdr exr"},
+    {"preset", "Presets", "json relievo"},
+    {"folder", "Folders", ""},
+};
+const FileKindRow& rowOf(FileKind kind)
+{
+    return kFileKinds[std::size_t(kind)];
+}
+
+// A chooser that lives until it is answered.
+QFileDialog* chooser(QWidget* parent, const QString& title, const QString& key)
+{
+    auto* dialog = new QFileDialog(parent, title, QSettings().value("folders/" + key).toString());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    return dialog;
+}
+} // namespace
+
+bool fits(FileKind kind, const QString& file)
+{
+    return QString(rowOf(kind).suffixes).split(' ').contains(QFileInfo(file).suffix().toLower());
+}
+
+void askForFile(QWidget* parent, const QString& title, FileKind kind, std::function<void(const QString&)> then)
+{
+    QFileDialog* dialog = chooser(parent, title, rowOf(kind).key);
+    if (kind == FileKind::Folder) {
+        dialog->setFileMode(QFileDialog::Directory);
+    } else {
+        dialog->setFileMode(QFileDialog::ExistingFile);
+        dialog->setNameFilters(
+            {QString("%1 (*.%2)").arg(rowOf(kind).label, QString(rowOf(kind).suffixes).replace(" ", " *.")), "All files (*)"});
+    }
+    QObject::connect(dialog, &QFileDialog::fileSelected,
+        [kind](const QString& file) { QSettings().setValue(QString("folders/") + rowOf(kind).key, QFileInfo(file).absolutePath()); });
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(then));
+    dialog->open();
+}
+
+void rememberSaved(const QString& file)
+{
+    const QFileInfo saved(file);
+    QSettings().setValue("folders/save-" + saved.suffix().toLower(), saved.absolutePath());
+}
+
+void askWhereToSave(
+    QWidget* parent, const QString& title, const QString& proposal, const QString& suffix, std::function<void(const QString&)> then)
+{
+    QFileDialog* dialog = chooser(parent, title, "save-" + suffix);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(suffix);
+    dialog->setNameFilters({QString("*.%1").arg(suffix)});
+    dialog->selectFile(proposal);
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, suffix, then = std::move(then)](const QString& file) {
+        if (QFileInfo(file).suffix().compare(suffix, Qt::CaseInsensitive) == 0)
+            return then(file);
+        const QString whole = file + '.' + suffix; // the chooser takes the end of "bricks v1.2" for a suffix
+        if (QFileInfo::exists(whole))
+            askToReplace(parent, whole, [then, whole] { then(whole); });
+        else
+            then(whole);
+    });
+    dialog->open();
+}
+
+namespace {
+QMessageBox* question(QWidget* parent, const char* name, const QString& text, const QString& more)
+{
+    auto* box = new QMessageBox(parent);
+    box->setObjectName(name);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setText(text);
+    box->setInformativeText(more);
+    return box;
+}
+} // namespace
+
+void askToReplace(QWidget* parent, const QString& path, std::function<void()> then)
+{
+    const QFileInfo there(path);
+    auto* box = question(parent, "replace", QObject::tr("Replace \u201c%1\u201d?").arg(there.fileName()),
+        there.isDir() ? QObject::tr("The folder is not empty: files of the same names are written over.")
+                      : QObject::tr("The file exists already."));
+    QPushButton* replace = box->addButton(QObject::tr("Replace"), QMessageBox::AcceptRole);
+    box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+    QObject::connect(replace, &QPushButton::clicked, parent, std::move(then));
+    box->open();
+}
+
+void askAboutUnsaved(QWidget* parent, const QString& name, const QString& alsoLost, std::function<void(Answer)> then)
+{
+    const bool unsaved = !name.isEmpty();
+    auto* box = question(parent, "unsaved", unsaved ? QObject::tr("Save the changes to \u201c%1\u201d?").arg(name) : alsoLost,
+        unsaved ? (QObject::tr("Without saving they are lost.") + ' ' + alsoLost).trimmed() : QString());
+    if (unsaved)
+        box->setDefaultButton(box->addButton(QMessageBox::Save));
+    QPushButton* discard = box->addButton(QMessageBox::Discard);
+    QPushButton* cancel = box->addButton(QMessageBox::Cancel);
+    if (!unsaved) {
+        discard->setText(QObject::tr("Stop it"));
+        box->setDefaultButton(cancel);
+    }
+    QObject::connect(box, &QMessageBox::finished, parent, [then = std::move(then)](int button) {
+        then(button == QMessageBox::Save ? Answer::Save : button == QMessageBox::Discard ? Answer::Discard : Answer::Cancel);
+    });
+    box->open();
+}
+
+} // namespace relievo

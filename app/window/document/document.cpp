@@ -1,0 +1,154 @@
+// The one way in which the window changes what it shows.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/document/document.h"
+#include "core/state/state_json.h"
+#include <QFileInfo>
+#include <QUndoCommand>
+#include <utility>
+
+namespace relievo {
+
+Changes differences(const State& a, const State& b)
+{
+    Changes what;
+    what.setFlag(Change::Name, a.name != b.name);
+    Parameters sameMoment = a.parameters;
+    sameMoment.time = b.parameters.time;
+    what.setFlag(Change::Parameters, sameMoment != b.parameters);
+    what.setFlag(Change::Moment, a.parameters.time != b.parameters.time);
+    what.setFlag(Change::Maps, a.slots != b.slots);
+    what.setFlag(Change::Mesh, a.mesh != b.mesh || a.part != b.part);
+    what.setFlag(Change::Environment, a.environment != b.environment);
+    what.setFlag(Change::Camera, a.camera != b.camera);
+    what.setFlag(Change::View, a.view != b.view);
+    what.setFlag(Change::Panes, a.panes != b.panes);
+    return what;
+}
+
+namespace {
+// What is no change of the work: where the eye is, and at which moment it looks.
+void keepSight(State& state, const State& from)
+{
+    state.camera = from.camera;
+    state.parameters.time = from.parameters.time;
+}
+} // namespace
+
+// Two whole States; camera and moment of neither are used, so that undo leaves the eye where it is.
+class Document::Edit : public QUndoCommand {
+public:
+    Edit(Document& document, State after, const QString& text)
+        : QUndoCommand(text)
+        , m_document(document)
+        , m_before(document.m_state)
+        , m_after(std::move(after))
+        , m_gesture(document.m_gesture)
+    {
+    }
+    int id() const override { return 1; }
+    void undo() override { show(m_before); }
+    void redo() override { std::exchange(m_isNew, false) ? m_document.replace(m_after) : show(m_after); }
+    bool mergeWith(const QUndoCommand* next) override
+    {
+        const auto* other = static_cast<const Edit*>(next);
+        if (other->m_gesture != m_gesture || other->text() != text())
+            return false;
+        m_after = other->m_after;
+        State sameSight = m_after;
+        keepSight(sameSight, m_before);
+        setObsolete(sameSight == m_before);
+        return true;
+    }
+
+private:
+    void show(State state)
+    {
+        keepSight(state, m_document.m_state);
+        m_document.replace(state);
+    }
+    Document& m_document;
+    State m_before, m_after;
+    int m_gesture;
+    bool m_isNew = true; // done for the first time: the edit may move the eye too
+};
+
+Document::Document(QObject* parent) : QObject(parent)
+{
+    connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+void Document::edit(const QString& text, const std::function<void(State&)>& change)
+{
+    State after = m_state;
+    change(after);
+    State sameSight = after;
+    keepSight(sameSight, m_state);
+    if (sameSight == m_state) {
+        replace(after);
+        if (!text.isEmpty() && !inGesture())
+            Q_EMIT choseAgain();
+        return;
+    }
+    m_undo.push(new Edit(*this, std::move(after), text));
+    if (!inGesture())
+        ++m_gesture;
+}
+
+void Document::beginGesture()
+{
+    if (m_depth++ == 0)
+        ++m_gesture;
+}
+
+void Document::resumeGesture()
+{
+    if (m_depth++ == 0)
+        --m_gesture; // the number that it had before its end
+}
+
+void Document::endGesture()
+{
+    if (m_depth == 0 || --m_depth > 0)
+        return;
+    ++m_gesture;
+    Q_EMIT gestureEnded();
+}
+
+void Document::start(const State& state, const QString& file)
+{
+    m_undo.clear();
+    m_file = file;
+    ++m_gesture;
+    replace(state);
+    Q_EMIT started();
+    Q_EMIT titleChanged();
+}
+
+Expected<void> Document::save(const QString& file)
+{
+    if (Expected<void> written = writeState(m_state, file.toStdString()); !written)
+        return written;
+    m_file = file;
+    m_undo.setClean();
+    ++m_gesture;
+    Q_EMIT titleChanged();
+    return {};
+}
+
+QString Document::name() const
+{
+    return m_file.isEmpty() ? QString::fromStdString(m_state.name) : QFileInfo(m_file).completeBaseName();
+}
+
+void Document::replace(const State& next)
+{
+    const Changes what = differences(m_state, next);
+    m_state = next;
+    if (what)
+        Q_EMIT changed(what);
+    if (what & Change::Name)
+        Q_EMIT titleChanged();
+}
+
+} // namespace relievo

@@ -1,0 +1,168 @@
+// Opening, saving and asking before work is lost.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/document/files.h"
+#include "app/window/dialogs/dialogs.h"
+#include "app/window/document/recent_files.h"
+#include "app/window/widgets/number_field.h"
+#include "app/window/widgets/text.h"
+#include "core/image/samples/samples.h"
+#include "core/state/presets.h"
+#include <QDir>
+#include <QFileInfo>
+#include <QMenu>
+#include <QWidget>
+
+namespace relievo {
+
+Files::Files(Document& document, Assets& assets, Messages& messages, QWidget* window)
+    : QObject(window)
+    , m_document(document)
+    , m_assets(assets)
+    , m_messages(messages)
+    , m_window(window)
+{
+    m_assets.askFirst = [this](std::function<void()> then) { guard(std::move(then)); };
+}
+
+void Files::guard(std::function<void()> then, const QString& alsoLost)
+{
+    commitTyping(m_window);
+    if (!unsaved() && alsoLost.isEmpty())
+        return then();
+    askAboutUnsaved(m_window, unsaved() ? m_document.name() : QString(), alsoLost, [this, then](Answer answer) {
+        if (answer == Answer::Save)
+            return save(then);
+        if (answer == Answer::Cancel)
+            return;
+        m_assets.dropChanges();
+        then();
+    });
+}
+
+bool Files::unsaved() const
+{
+    return m_document.isModified() || m_assets.changesPending();
+}
+
+void Files::startNew()
+{
+    guard([this] { m_assets.openDocument("sample:bricks", State{}); });
+}
+
+void Files::ask()
+{
+    askForFile(m_window, tr("Open"), FileKind::Source, [this](const QString& file) { open(file); });
+}
+
+void Files::askFolder()
+{
+    askForFile(m_window, tr("Open the texture set of a folder"), FileKind::Folder, [this](const QString& folder) { open(folder); });
+}
+
+void Files::open(const QString& source)
+{
+    guard([this, source] { m_assets.openDocument(source); });
+}
+
+void Files::save(std::function<void()> then)
+{
+    commitTyping(m_window);
+    if (m_document.file().isEmpty())
+        saveAs(std::move(then));
+    else
+        saveTo(m_document.file(), then);
+}
+
+void Files::saveAs(std::function<void()> then)
+{
+    commitTyping(m_window);
+    const QString proposal = m_document.file().isEmpty() ? m_document.name() + ".relievo" : m_document.file();
+    askWhereToSave(m_window, tr("Save the project"), proposal, "relievo", [this, then](const QString& file) { saveTo(file, then); });
+}
+
+void Files::saveTo(const QString& file, const std::function<void()>& then)
+{
+    if (m_assets.changesPending()) { // what was asked for before belongs to what is saved
+        connect(
+            &m_assets, &Assets::changesEnded, this, [this, file, then](bool all) { saveTo(file, all ? then : nullptr); },
+            Qt::SingleShotConnection);
+        return;
+    }
+    if (const auto saved = m_document.save(file); !saved)
+        return m_messages.set("save", saved.error());
+    m_messages.clear("save");
+    addRecentFile(QFileInfo(file).absoluteFilePath());
+    rememberSaved(file);
+    if (then)
+        then();
+}
+
+void Files::take(const QString& dropped)
+{
+    if (isMeshFile(dropped.toStdString()))
+        m_assets.propose(tr("Mesh"), [dropped, located = m_assets.locatesMesh(dropped)](State& state) {
+            state.mesh = dropped.toStdString();
+            if (!located)
+                state.part.clear();
+        });
+    else if (isProjectFile(dropped.toStdString()))
+        open(dropped);
+    else if (fits(FileKind::Preset, dropped))
+        applyPreset(dropped.toStdString());
+    else
+        m_assets.openInto(dropped);
+}
+
+void Files::fillRecent(QMenu& menu)
+{
+    for (const QString& source : recentFiles()) {
+        QAction* action = menu.addAction(QDir::toNativeSeparators(source));
+        action->setEnabled(QFileInfo::exists(source));
+        connect(action, &QAction::triggered, this, [this, source] { open(source); });
+    }
+    if (menu.isEmpty())
+        menu.addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+void Files::fillSamples(QMenu& menu)
+{
+    for (const SampleRow& row : kSamples) {
+        QAction* action = menu.addAction(qt(row.label));
+        action->setToolTip(qt(row.help));
+        connect(action, &QAction::triggered, this, [this, key = row.key] { m_assets.openInto("sample:" + qt(key)); });
+    }
+}
+
+void Files::fillPresets(QMenu& menu)
+{
+    for (const PresetRow& row : kPresets) {
+        QAction* action = menu.addAction(qt(row.label));
+        action->setToolTip(qt(row.help));
+        connect(action, &QAction::triggered, this, [this, &row] {
+            if (row.sample.empty())
+                applyPreset(std::string(row.key));
+            else
+                open("scene:" + qt(row.key));
+        });
+    }
+    menu.addSeparator();
+    connect(menu.addAction(tr("From file...")), &QAction::triggered, this,
+        [this] { askForFile(m_window, tr("Preset"), FileKind::Preset, [this](const QString& file) { applyPreset(file.toStdString()); }); });
+}
+
+void Files::applyPreset(const std::string& nameOrFile)
+{
+    const auto read = readPreset(m_document.state(), nameOrFile);
+    if (!read)
+        return m_messages.set("preset", read.error());
+    m_messages.set("preset", read->warnings);
+    // A preset holds numbers and a technique; what it says of files stays out of it.
+    m_document.edit(tr("Preset"), [&](State& state) {
+        state.parameters = read->state.parameters;
+        state.panes.front() = read->state.panes.front();
+    });
+    m_document.endGesture();
+}
+
+} // namespace relievo

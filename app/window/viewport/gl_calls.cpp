@@ -1,0 +1,34 @@
+// OpenGL by libepoxy, without Qt.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/viewport/gl_calls.h"
+#include <epoxy/gl.h>
+
+namespace relievo {
+
+int openGLVersion()
+{
+    return epoxy_gl_version();
+}
+
+void clearTo(unsigned framebuffer, float red, float green, float blue)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glClearColor(red, green, blue, 1.f);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void finishDrawing()
+{
+    glFinish();
+}
+
+void copyTo(const Framebuffer& from, unsigned framebuffer, int x, int width, int height)
+{
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, from.width(), from.height(), x, 0, x + width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
+} // namespace relievo

@@ -1,0 +1,170 @@
+// Captions, legend and hint, painted over the picture.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/viewport/overlays.h"
+#include "app/window/widgets/slider_scale.h"
+#include "app/window/widgets/text.h"
+#include "app/window/widgets/theme.h"
+#include "core/state/techniques.h"
+#include "core/trace/shader_on_cpu.h"
+#include <QPainter>
+#include <tuple>
+
+namespace relievo {
+namespace {
+// The picture is dark in either look, so what lies over it is light on dark in either.
+const QColor kShade(0, 0, 0, 150), kBright(240, 240, 240), kQuiet(190, 190, 190);
+constexpr int kPadding = 8; // px
+
+void shade(QPainter& painter, const QRect& rect)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kShade);
+    painter.drawRoundedRect(rect, 4, 4);
+}
+} // namespace
+
+QString techniqueText(const State& state, std::size_t pane)
+{
+    const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
+    if (!technique)
+        return QString::fromStdString(state.panes[pane].technique);
+    const Parameters p = effectiveParameters(state, pane);
+    QString text = qt(technique->label);
+    if (listHas(technique->parameters, "maxSteps"))
+        text += p.minSteps == p.maxSteps ? QString(" %1").arg(p.maxSteps) : QString(" %1\u2013%2").arg(p.minSteps).arg(p.maxSteps);
+    if (listHas(technique->parameters, "refineSteps") && p.refineSteps > 0)
+        text += QString("+%1").arg(p.refineSteps);
+    return text;
+}
+
+PaneCaption::PaneCaption(QWidget* parent) : QAbstractButton(parent)
+{
+    setFocusPolicy(Qt::NoFocus);
+    setCursor(Qt::PointingHandCursor);
+    setToolTip(QObject::tr("Choose the technique of this picture"));
+}
+
+void PaneCaption::show(const QString& letter, const QString& technique, const QString& cost, bool active)
+{
+    // Only what differs is painted again: a repaint beside the picture costs as much as a small picture.
+    if (std::tie(letter, technique, cost, active) == std::tie(m_letter, m_technique, m_cost, m_active))
+        return;
+    m_letter = letter, m_technique = technique, m_cost = cost, m_active = active;
+    update();
+}
+
+int PaneCaption::wide(bool withCost) const
+{
+    const auto advance = [&](const QString& text) { return text.isEmpty() ? 0 : fontMetrics().horizontalAdvance(text) + kPadding; };
+    return advance(m_letter) + advance(m_technique) + (withCost && !m_cost.isEmpty() ? advance(m_cost) + kPadding : 0) + kPadding;
+}
+
+QSize PaneCaption::sizeHint() const
+{
+    return {wide(true), kRowHeight};
+}
+
+void PaneCaption::fit(int room)
+{
+    resize(wide(true) <= room ? wide(true) : std::clamp(room, 0, wide(false)), kRowHeight);
+}
+
+void PaneCaption::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    shade(painter, rect());
+    int x = kPadding;
+    const auto put = [&](const QString& text, const QColor& color) {
+        painter.setPen(color);
+        painter.drawText(QRect(x, 0, width(), height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+        x += fontMetrics().horizontalAdvance(text) + kPadding;
+    };
+    if (!m_letter.isEmpty())
+        put(m_letter, m_active ? accent(palette()).lighter(120) : kQuiet);
+    put(fontMetrics().elidedText(m_technique, Qt::ElideRight, width() - x - kPadding), kBright);
+    if (!m_cost.isEmpty() && width() >= wide(true)) {
+        x += kPadding;
+        put(m_cost, kQuiet);
+    }
+    if (m_active && !m_letter.isEmpty()) {
+        painter.setPen(QPen(accent(palette()), 1));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    }
+}
+
+HeatLegend::HeatLegend(QWidget* parent) : QWidget(parent)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFont(smallFont());
+    resize(sizeHint());
+}
+
+void HeatLegend::show(const QString& title, const QString& unit, double max)
+{
+    if (std::tie(title, unit, max) == std::tie(m_title, m_unit, m_max))
+        return;
+    m_title = title, m_unit = unit, m_max = max;
+    update();
+}
+
+void HeatLegend::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    shade(painter, rect());
+    const QRect bar(12, 8, width() - 24, 10);
+    for (int x = 0; x < bar.width(); ++x) { // the colours of the picture, by the picture's own text
+        const glm::vec3 c = heatColor((float(x) + 0.5f) / float(bar.width()));
+        painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor::fromRgbF(c.x, c.y, c.z));
+    }
+    painter.setPen(kBright);
+    constexpr int kMarks = 4;
+    for (int i = 0; i <= kMarks; ++i) {
+        const int x = bar.left() + (bar.width() - 1) * i / kMarks;
+        painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + 3);
+        const QString number = (i == kMarks ? QString::fromUtf8("\u2265 ") : QString()) + plainNumber(m_max * i / kMarks);
+        const int w = fontMetrics().horizontalAdvance(number);
+        painter.drawText(std::clamp(x - w / 2, 4, width() - w - 4), bar.bottom() + 5 + fontMetrics().ascent(), number);
+    }
+    painter.setPen(kQuiet);
+    painter.drawText(
+        QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter, fontMetrics().elidedText(caption(), Qt::ElideRight, width() - 24));
+}
+
+QString HeatLegend::caption() const
+{
+    if (m_unit == "depth")
+        return tr("%1 (share of the depth)").arg(m_title);
+    return m_title.compare(m_unit, Qt::CaseInsensitive) == 0 ? tr("%1 a pixel").arg(m_title) : QString("%1 (%2)").arg(m_title, m_unit);
+}
+
+Hint::Hint(QWidget* parent) : QWidget(parent)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    hide();
+}
+
+void Hint::say(const QString& text)
+{
+    m_text = text;
+    setVisible(!text.isEmpty());
+    resize(sizeHint());
+    update();
+}
+
+QSize Hint::sizeHint() const
+{
+    return {fontMetrics().horizontalAdvance(m_text) + 3 * kPadding, kRowHeight};
+}
+
+void Hint::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    shade(painter, rect());
+    painter.setPen(kBright);
+    painter.drawText(rect(), Qt::AlignCenter, m_text);
+}
+
+} // namespace relievo

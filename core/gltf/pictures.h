@@ -1,0 +1,31 @@
+// The pictures that a mesh file names or holds: finding them, and taking them out of it.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/ground/error.h"
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace relievo {
+
+// The existing file that `name` means in a file of `folders`' first: as written (backslashes, drive letters and absolute paths of other
+// machines allowed), else by its last part alone, in any case of letters. Absolute. Nothing when there is none.
+std::optional<std::filesystem::path> findPicture(const std::vector<std::filesystem::path>& folders, std::string name);
+
+// A name or URI as messages show it: at most 80 bytes of it.
+std::string shownName(const std::string& name);
+
+// "FILE#N": picture N inside a glTF file. namesEmbeddedPicture is false for a file that exists under that very name.
+std::string embeddedPictureName(const std::filesystem::path& gltf, int picture);
+bool namesEmbeddedPicture(const std::filesystem::path& name);
+
+// Whether there is a file of that name, or the glTF file that should hold the picture.
+bool pictureMayExist(const std::filesystem::path& name);
+
+// The undecoded bytes (PNG, JPEG ...). Errors name the file.
+Expected<std::vector<std::byte>> readEmbeddedPicture(const std::filesystem::path& name);
+
+} // namespace relievo

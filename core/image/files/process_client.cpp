@@ -1,0 +1,162 @@
+// Starting relievo-imageio and moving bytes to and from it.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/files/process_client.h"
+#include <boost/process/child.hpp>
+#include <boost/process/env.hpp>
+#include <boost/process/exe.hpp>
+#include <boost/process/io.hpp>
+#include <boost/process/posix.hpp>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace relievo {
+namespace {
+constexpr std::chrono::seconds kPatience{20}; // without a byte moving
+constexpr int kPollMs = 50; // how often a cancel is looked for
+constexpr int kPipeBytes = 1 << 20;
+
+std::string helperPath()
+{
+    if (const char* set = std::getenv("RELIEVO_IMAGEIO"); set && *set)
+        return set;
+    std::error_code code;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", code);
+    return (self.parent_path() / "relievo-imageio").string();
+}
+
+// AddressSanitizer builds cannot be limited by address space: they watch their resident memory themselves.
+std::string sanitizerOptions()
+{
+    const char* set = std::getenv("ASAN_OPTIONS");
+    const std::string limits = "hard_rss_limit_mb=" + std::to_string(imageio::kMemoryLimitMiB) + ":detect_leaks=0";
+    return set && *set ? std::string(set) + ":" + limits : limits;
+}
+
+void closeHandle(int& handle)
+{
+    if (handle >= 0)
+        ::close(handle);
+    handle = -1;
+}
+} // namespace
+
+struct HelperProcess::Process {
+    boost::process::child child;
+};
+
+HelperProcess::HelperProcess() = default;
+HelperProcess::~HelperProcess()
+{
+    kill();
+}
+
+void HelperProcess::kill()
+{
+    closeHandle(m_in);
+    closeHandle(m_out);
+    if (m_process) {
+        std::error_code code;
+        m_process->child.terminate(code); // also collects it
+        m_process.reset();
+    }
+}
+
+int HelperProcess::id() const
+{
+    return m_process ? int(m_process->child.id()) : 0;
+}
+
+bool HelperProcess::fail(HelperTrouble trouble)
+{
+    m_trouble = trouble;
+    kill();
+    return false;
+}
+
+bool HelperProcess::ensureRunning(bool& fresh)
+{
+    namespace bp = boost::process;
+    std::error_code code;
+    fresh = false;
+    m_trouble = HelperTrouble::None;
+    if (m_process && m_process->child.running(code))
+        return true;
+    kill();
+    fresh = true;
+    int in[2] = {-1, -1}, out[2] = {-1, -1};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in) != 0 || ::pipe2(out, O_CLOEXEC) != 0) {
+        closeHandle(in[0]);
+        closeHandle(in[1]);
+        return fail(HelperTrouble::NotFound);
+    }
+    ::fcntl(out[0], F_SETPIPE_SZ, kPipeBytes);
+    m_in = in[0];
+    m_out = out[0];
+    try {
+        m_process = std::make_unique<Process>();
+        m_process->child = bp::child(bp::exe = helperPath(), bp::posix::fd.bind(STDIN_FILENO, in[1]),
+            bp::posix::fd.bind(STDOUT_FILENO, out[1]), bp::std_err > bp::null, bp::env["ASAN_OPTIONS"] = sanitizerOptions(), code);
+    } catch (const std::exception&) {
+        code = std::make_error_code(std::errc::no_such_process);
+    }
+    closeHandle(in[1]);
+    closeHandle(out[1]);
+    return code ? fail(HelperTrouble::NotFound) : true;
+}
+
+// Waits until the handle is ready; false after trouble.
+bool HelperProcess::wait(int handle, short events, const Progress& progress)
+{
+    const auto start = std::chrono::steady_clock::now();
+    for (;;) {
+        if (progress.cancelled())
+            return fail(HelperTrouble::Cancelled);
+        pollfd ready{handle, events, 0};
+        const int count = ::poll(&ready, 1, kPollMs);
+        if (count > 0)
+            return true;
+        if (count < 0 && errno != EINTR)
+            return fail(HelperTrouble::Died);
+        if (std::chrono::steady_clock::now() - start > kPatience)
+            return fail(HelperTrouble::TimedOut);
+    }
+}
+
+bool HelperProcess::send(std::span<const std::byte> bytes, const Progress& progress)
+{
+    while (!bytes.empty()) {
+        if (!wait(m_in, POLLOUT, progress))
+            return false;
+        const ssize_t put = ::send(m_in, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (put < 0 && (errno == EINTR || errno == EAGAIN))
+            continue;
+        if (put <= 0)
+            return fail(HelperTrouble::Died);
+        bytes = bytes.subspan(std::size_t(put));
+    }
+    return true;
+}
+
+bool HelperProcess::receive(std::span<std::byte> bytes, const Progress& progress)
+{
+    while (!bytes.empty()) {
+        if (!wait(m_out, POLLIN, progress))
+            return false;
+        const ssize_t got = ::read(m_out, bytes.data(), bytes.size());
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            return fail(HelperTrouble::Died);
+        bytes = bytes.subspan(std::size_t(got));
+    }
+    return true;
+}
+
+} // namespace relievo

@@ -1,0 +1,59 @@
+// Finding the maps of a material: file names and pixels of a folder, or of one image and its siblings.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/ground/error.h"
+#include "core/ground/progress.h"
+#include "core/image/files/image_file.h"
+#include "core/state/map_slots.h"
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace relievo {
+
+// Decoded images by file, so that a set is read once however many maps are packed in a file and whoever asks.
+using DecodedImages = std::map<std::filesystem::path, std::shared_ptr<const ImageRead>>;
+
+// How a map is to be read, as measured from its pixels where it can be, else as its name says.
+enum class Convention { Height, Depth, GL, DX, Unsure, Srgb, Linear };
+inline constexpr std::array<std::string_view, 7> kConventionKeys = {"height", "depth", "gl", "dx", "unsure", "srgb", "linear"};
+
+struct FoundMap {
+    MapKind kind;
+    std::filesystem::path file; // absolute
+    Channel channel = Channel::Rgb;
+    ImageInfo info;
+    Convention convention = Convention::Linear;
+    double min = 0, max = 0; // over the channel as stored (integers as value / max), before any flip
+};
+
+struct TextureSet {
+    std::string name; // "Rock_024", shown to the user
+    std::filesystem::path folder; // files are shown relative to this
+    std::vector<FoundMap> maps; // at most one per kind, in the order of kMapKinds
+    DecodedImages images; // every image that was decoded for measuring
+    Warnings warnings; // what was converted, guessed or ignored, in the user's words
+    MapSlots slots() const; // as the State stores them: depth -> invert, DX -> green flip
+};
+
+// source: a folder, or one image of a set (siblings by the same stem), or a single image without siblings: it is a height map
+// (a depth map when its stem ends in "depth"). Reads pixels to measure conventions (cli.md, `info --json`).
+// Errors: nothing there, no readable image, unsupported container (KTX, KTX2, raw float) named as such.
+Expected<TextureSet> openTextureSet(const std::filesystem::path& source, const Progress& progress = {});
+
+// The slot for a file that the user gives by hand. A normal map in DirectX style, as its pixels show or else its name says, is
+// flipped with the warning "normal-directx"; a height map whose name ends in "depth" is inverted. Decoded pixels are added to
+// `images`. A file that cannot be read is no error here: loading it will be.
+MapSlot slotByHand(MapKind kind, const std::filesystem::path& file, DecodedImages& images, Warnings& warnings);
+
+// The set that slots describe, for `info` of a project or sample: conventions as the slots say. Files that cannot be read become
+// warnings.
+TextureSet textureSetOf(const std::string& name, const MapSlots& slots, const std::filesystem::path& folder);
+
+// `info --json` of cli.md for a set.
+std::string textureSetJson(const TextureSet& set);
+
+} // namespace relievo

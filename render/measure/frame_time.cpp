@@ -1,0 +1,51 @@
+// Interleaved frames by the wall clock: a software rasteriser's timer queries see only part of the work.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/measure/frame_time.h"
+#include <algorithm>
+#include <chrono>
+#include <epoxy/gl.h>
+
+namespace relievo {
+
+Expected<std::vector<double>> frameTimes(Renderer& renderer, const Resources& resources, std::span<const TimedFrame> frames, int width,
+    int height, int rounds, const Progress& progress)
+{
+    Framebuffer framebuffer;
+    framebuffer.resize(width, height);
+    const Target target{framebuffer.handle(), width, height};
+    std::vector<std::vector<double>> times(frames.size());
+    for (int round = 0; round <= rounds; ++round)
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            if (progress.cancelled())
+                return failure(frames[i].state.name, "cancelled");
+            glFinish();
+            const auto start = std::chrono::steady_clock::now();
+            if (const auto drawn = renderer.draw(frames[i].state, 0, resources, frames[i].view, target); !drawn)
+                return tl::unexpected(drawn.error());
+            glFinish();
+            if (round > 0)
+                times[i].push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+            progress.at(float(std::size_t(round) * frames.size() + i + 1) / float(std::size_t(rounds + 1) * frames.size()));
+        }
+    std::vector<double> medians;
+    for (std::vector<double>& each : times) {
+        std::ranges::sort(each);
+        medians.push_back(each.empty() ? 0. : each[each.size() / 2]);
+    }
+    return medians;
+}
+
+std::string_view timedView(const Resources& resources)
+{
+    return resources.material && resources.material->map(MapKind::Color) ? "color" : "depth";
+}
+
+TimedFrame plainQuad(const State& state)
+{
+    TimedFrame frame{state, "color"};
+    frame.state.panes = {Pane{"flat", {}}};
+    return frame;
+}
+
+} // namespace relievo

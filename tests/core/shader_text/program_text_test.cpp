@@ -1,0 +1,128 @@
+// Program text: includes, generated uniforms, and nothing that a State does not use.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shader_text/program_text.h"
+#include "core/shader_text/shader_files.h"
+#include "core/state/techniques.h"
+#include "core/state/views.h"
+#include <gtest/gtest.h>
+
+using namespace relievo;
+
+namespace {
+const std::set<MapKind> kAll = {MapKind::Height, MapKind::Color, MapKind::Normal, MapKind::Roughness};
+ProgramText textOf(const char* technique, const char* view, const Parameters& parameters = {}, const std::set<MapKind>& maps = kAll)
+{
+    auto text = meshProgram(programFeatures(parameters, technique, view, maps, false), embeddedReader());
+    EXPECT_TRUE(text) << message(text.error());
+    return *text;
+}
+} // namespace
+
+TEST(ProgramText, FlatHoldsNoSearch)
+{
+    const ProgramText text = textOf("flat", "shaded");
+    EXPECT_EQ(text.fragment.text.find("for ("), std::string::npos);
+    EXPECT_FALSE(text.fragment.mentions("heightMap"));
+    EXPECT_FALSE(text.fragment.mentions("maxSteps"));
+    EXPECT_FALSE(text.fragment.mentions("normalMap"));
+}
+
+TEST(ProgramText, OnlyWhatIsOn)
+{
+    Parameters parameters;
+    EXPECT_TRUE(textOf("relief", "shaded", parameters).fragment.mentions("shadowBias"));
+    parameters.shadows = false;
+    EXPECT_FALSE(textOf("relief", "shaded", parameters).fragment.mentions("shadowBias"));
+    EXPECT_FALSE(textOf("bump", "shaded").fragment.mentions("shadowBias"));
+    EXPECT_FALSE(textOf("relief", "depth").fragment.mentions("colorMap"));
+    EXPECT_FALSE(textOf("relief", "depth").fragment.mentions("environmentMap"));
+    EXPECT_FALSE(textOf("relief", "shaded").fragment.mentions("exactDepth"));
+    EXPECT_TRUE(textOf("relief", "error").fragment.mentions("exactDepth"));
+    EXPECT_FALSE(textOf("relief", "shaded", {}, {MapKind::Height}).fragment.mentions("colorMap"));
+}
+
+TEST(ProgramText, ExactSearchesKnowWrapAndLevelBeforehand)
+{
+    Parameters parameters;
+    parameters.heightMips = false;
+    for (const char* key : {"pyramid", "cell-cone"}) {
+        const auto repeats = textOf(key, "depth", parameters).fragment;
+        EXPECT_FALSE(repeats.mentions("heightLevel")) << key;
+        EXPECT_FALSE(repeats.mentions("wrap")) << key;
+        EXPECT_TRUE(textOf(key, "depth").fragment.mentions("heightLevel")) << key;
+        Parameters ending = parameters;
+        ending.wrap = 1;
+        EXPECT_NE(textOf(key, "depth", ending).fragment.text, repeats.text) << key;
+    }
+    EXPECT_EQ(textOf("relief", "depth", parameters).fragment.text, textOf("relief", "depth").fragment.text);
+}
+
+TEST(ProgramText, UniformsComeFromTheTables)
+{
+    const std::string text = textOf("relief", "shaded").fragment.text;
+    EXPECT_NE(text.find("uniform int maxSteps;"), std::string::npos);
+    EXPECT_NE(text.find("uniform vec3 eye;"), std::string::npos);
+    for (const ShaderFile& file : embeddedShaders())
+        EXPECT_EQ(withoutComments(file.text).find("uniform"), std::string::npos) << file.name;
+}
+
+TEST(ProgramText, FilesAreIncludedOnce)
+{
+    const std::string text = textOf("relief", "error").fragment.text;
+    const auto first = text.find("float exactDepth(");
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(text.find("float exactDepth(", first + 1), std::string::npos);
+}
+
+TEST(ProgramText, CommonSubsetOfTheThreeMachines)
+{
+    // Technique texts also compile as C++: no swizzles, no literals without f, no ifdefs.
+    for (const ShaderFile& file : embeddedShaders()) {
+        if (!file.name.starts_with("techniques/"))
+            continue;
+        const std::string text = withoutComments(file.text);
+        EXPECT_EQ(text.find("#if"), std::string::npos) << file.name;
+        EXPECT_EQ(text.find(".xy"), std::string::npos) << file.name;
+        EXPECT_EQ(text.find("layout"), std::string::npos) << file.name;
+    }
+}
+
+TEST(ProgramText, LogsNameFileAndLine)
+{
+    const ShaderText text{"", {"generated text", "search/contract.glsl", "techniques/relief.glsl"}};
+    EXPECT_EQ(namedLog("2:17(4): error: no such thing", text), "techniques/relief.glsl:17: error: no such thing");
+    EXPECT_EQ(namedLog("ERROR: 1:3: x", text), "ERROR: search/contract.glsl:3: x");
+    EXPECT_EQ(namedLog("1:3\n12:4(7", text), "search/contract.glsl:3\n12:4(7");
+    for (const char* plain : {"", "1", "1:", "a: 17 (2)", "99999999999999999999:1", "1: 2"})
+        EXPECT_EQ(namedLog(plain, text), plain);
+}
+
+TEST(ProgramText, MissingIncludeIsAnError)
+{
+    const ShaderReader reader = [](std::string_view name) -> Expected<std::string> {
+        return name == "output/main.glsl" ? Expected<std::string>("#include \"gone.glsl\"\n") : embeddedReader()(name);
+    };
+    const auto text = meshProgram(programFeatures({}, "flat", "color", {}, false), reader);
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().where, "shaders/gone.glsl");
+}
+
+TEST(ProgramText, CommentsAreBlankedIdentifiersFound)
+{
+    EXPECT_EQ(withoutComments("a // b\nc /* d\n */ e"), "a     \nc     \n    e");
+    EXPECT_TRUE(mentionsIdentifier("x+depth;", "depth"));
+    EXPECT_FALSE(mentionsIdentifier("hit.depth depths mydepth", "depth"));
+}
+
+TEST(ProgramText, EveryTechniqueAndViewAssembles)
+{
+    for (const TechniqueRow& technique : kTechniques)
+        for (const ViewRow& view : kViews)
+            for (const bool linear : {false, true}) {
+                if (technique.file.empty())
+                    continue;
+                EXPECT_TRUE(meshProgram(programFeatures({}, technique.key, view.key, kAll, linear), embeddedReader()))
+                    << technique.key << ' ' << view.key;
+            }
+}
