@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions.h"
 #include "app/cli/command.h"
+#include "app/cli/describe_parameters.h"
 #include "core/exporters/exporters.h"
 #include "core/maps/maps.h"
 #include "core/state/techniques.h"
@@ -16,36 +17,6 @@ namespace relievo::cli {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-// A table as rows of named cells; values keep their kind for JSON.
-using Table = std::vector<Json>;
-
-Json valueJson(const ParameterRow& row, const Value& value)
-{
-    if (const bool* b = std::get_if<bool>(&value))
-        return *b;
-    if (const int* i = std::get_if<int>(&value); i && row.options.empty())
-        return *i;
-    if (std::holds_alternative<float>(value))
-        return Json::parse(toText(row, value));
-    return toText(row, value);
-}
-
-std::string_view kindOf(const ParameterRow& row)
-{
-    constexpr std::string_view names[] = {"number", "whole", "switch", "color"};
-    return row.options.empty() ? names[row.member.index()] : "choice";
-}
-
-Table parameters()
-{
-    Table table;
-    for (const ParameterRow& row : kParameters)
-        table.push_back({{"key", row.key}, {"label", row.label}, {"group", kGroupLabels[std::size_t(row.group)]}, {"kind", kindOf(row)},
-            {"default", valueJson(row, get(Parameters(), row))}, {"min", Json::parse(toText(kParameters[0], row.min))},
-            {"max", Json::parse(toText(kParameters[0], row.max))}, {"unit", row.unit}, {"options", row.options}, {"help", row.help}});
-    return table;
-}
 
 Table techniques()
 {
@@ -95,7 +66,7 @@ struct TableRow {
     Table (*rows)();
 };
 constexpr TableRow kTables[]
-    = {{"parameters", "Parameters", parameters}, {"techniques", "Techniques", techniques}, {"maps", "Baked maps", maps},
+    = {{"parameters", "Parameters", parameterTable}, {"techniques", "Techniques", techniques}, {"maps", "Baked maps", maps},
         {"views", "Views", views}, {"exports", "Export targets", exports}, {"actions", "Actions of the window", actions}};
 
 std::string cell(const Json& value)
