@@ -17,13 +17,14 @@ install_missing() {
     exit 1
 }
 
-# build PRESET: quiet unless something is wrong.
+# build PRESET [TARGET...]: everything when no target is named; quiet unless something is wrong.
+# Both commands configure alike, so that the second one compiles only what the first one did not.
 build() {
     local preset=$1 log
     log=$(mktemp)
     shift
     echo "Building ($preset) ..." >&2
-    if ! { cmake --preset "$preset" "$@" && cmake --build --preset "$preset"; } >"$log" 2>&1; then
+    if ! { cmake --preset "$preset" && cmake --build --preset "$preset" ${@:+--target "$@"}; } >"$log" 2>&1; then
         tail -n 60 "$log" >&2
         echo "relievo: the build failed; the whole log is $log" >&2
         exit 1
