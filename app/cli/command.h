@@ -15,7 +15,7 @@
 
 namespace relievo::cli {
 
-// Exit codes of cli.md.
+// resources/help/command-line.md, "Exit codes".
 enum Exit { Done = 0, Failed = 1, WrongUsage = 2, MissedTarget = 3 };
 
 // Options of every command.
@@ -24,7 +24,8 @@ struct Common {
     void addTo(CLI::App& command);
 };
 
-// Options that choose and change the State, in the order of cli.md.
+// Options that choose and change the State, in the order in which they apply
+// (resources/help/command-line.md, "Options that change the State").
 struct StateOptions {
     std::string source, preset, technique, mesh, environment, camera, depthMap;
     std::vector<std::string> set;

@@ -1,4 +1,4 @@
-// Rays in and hits out as CSV (cli.md, trace).
+// Rays in and hits out as CSV (resources/help/command-line.md, "Rays and hits").
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once

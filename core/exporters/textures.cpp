@@ -49,7 +49,7 @@ std::optional<Image> imageOf(MapKind kind, const ExportJob& job, const Parameter
     return image.type != PixelType::F32 ? image : row(kind).isColor ? eightBit(image, true) : withBits(image, 16);
 }
 
-// The numbers that turn the maps into relief elsewhere (exports.md's model).
+// The numbers that turn the maps into relief elsewhere (what relief.json holds).
 Json numbersOf(const ExportJob& job, const Parameters& parameters)
 {
     const float measured = job.resources.mesh->metresPerUV;

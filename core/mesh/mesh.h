@@ -27,7 +27,8 @@ struct Vertex {
     glm::vec2 uv;
     glm::vec4
         tangent; // xyz unit, along +u in the tangent plane; w = +-1 so that glTF's bitangent (-v, image up) = cross(normal, tangent) * w
-    // Texture Jacobian (design.md section 3): change of position per unit of u and of v, m; not orthogonal, not equal, not unit.
+    // Texture Jacobian (ARCHITECTURE.md, "Space, sign and unit"): change of position per unit of u and of v, m; not orthogonal, not equal,
+    // not unit.
     // Degenerate UVs: a sound frame in the tangent plane.
     glm::vec3 dPdu, dPdv;
 };
@@ -71,7 +72,8 @@ struct Mesh {
     std::vector<MeshPart> parts; // at least one
     std::vector<MeshMaterial> materials; // empty when the file describes none; a part may name one that is not here
     glm::vec3 boundsMin{0.f}, boundsMax{0.f}; // m; of a mesh from a file with a deformation: of the pose at rest, as metresPerUV is
-    float metresPerUV = 1.f; // sqrt(area in m2 / area in UV space), area-weighted over what is not plain (design.md section 3); > 0
+    // sqrt(area in m2 / area in UV space), area-weighted over what is not plain (ARCHITECTURE.md, "Space, sign and unit"); > 0
+    float metresPerUV = 1.f;
     bool fileHasUVs = true, fileHasNormals = true, fileHasTangents = false; // what the file held, before anything was made
     std::size_t fileVertices = 0; // distinct (position, normal, UV) tuples of the file, for `info`
     std::size_t repeatedVertices = 0; // vertices that the file writes out although an equal one exists (0 for STL, which cannot share)
@@ -92,7 +94,7 @@ Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress 
 // tangents, of the file, are not MikkTSpace's).
 Warnings inspectMesh(const Mesh& mesh);
 
-// `info --json` of cli.md for a mesh.
+// `info MESH --json` (resources/help/command-line.md, "What info tells").
 std::string meshJson(const Mesh& mesh);
 
 } // namespace relievo

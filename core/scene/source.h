@@ -41,9 +41,9 @@ struct Resources {
     std::string meshName, environmentName;
 };
 
-// SOURCE of cli.md: "*.relievo", a folder, an image of a set, a single image, "sample:KEY", "scene:KEY" (presets.h), "hard:KEY"
-// (hard_cases.h) or a mesh file that brings textures. The result is `base` with the maps (and for a project everything) replaced. A sample
-// also sets its depth.
+// SOURCE (resources/help/command-line.md, "Sources"): "*.relievo", a folder, an image of a set, a single image, "sample:KEY", "scene:KEY"
+// (presets.h), "hard:KEY" (hard_cases.h) or a mesh file that brings textures. The result is `base` with the maps (and for a project
+// everything) replaced. A sample also sets its depth.
 struct Opened {
     State state;
     DecodedImages images; // spares loadResources a second decode

@@ -17,7 +17,7 @@ struct MapKindRow {
     std::string_view label;
     bool isColor; // sRGB, decoded to linear on load
     int channels; // channels used: 1, or 3
-    std::string_view suffixes; // file-name suffixes seen in the wild, best first (exports.md), lower case
+    std::string_view suffixes; // file-name suffixes seen in the wild, best first, lower case
     std::string_view help;
 };
 

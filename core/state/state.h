@@ -1,4 +1,4 @@
-// The State: everything that decides the picture, as one plain value (design.md section 1.3).
+// The State: everything that decides the picture, as one plain value (ARCHITECTURE.md, "State").
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once

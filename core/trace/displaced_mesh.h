@@ -15,8 +15,8 @@
 namespace relievo {
 
 // Every point of the mesh, pushed out for the midlevel, then moved in along the interpolated unit normal by the relief's depth there (none
-// on plain parts) (height field bilinear; design.md section 3). Its triangles are cut into micro-triangles of half a texel; what opens
-// between them at UV seams is closed by walls.
+// on plain parts) (height field bilinear: ARCHITECTURE.md, "Space, sign and unit"). Its triangles are cut into micro-triangles of half a
+// texel; what opens between them at UV seams is closed by walls.
 class DisplacedMesh {
 public:
     struct Detail {

@@ -1,4 +1,4 @@
-// A search ray in texture space and what a search returns (design.md section 4), as plain values for the CPU.
+// A search ray in texture space and what a search returns (ARCHITECTURE.md, "The contract of a technique"), as plain values for the CPU.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once

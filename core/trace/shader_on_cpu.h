@@ -28,7 +28,7 @@ Expected<SearchMaps> searchMaps(
     std::string_view key, const Parameters& parameters, const HeightField* field, const Progress& progress = {});
 
 // Runs technique `key` (a row of kTechniques; "reference" is ExactSearch) on each ray, on all threads of TBB, on the base level.
-// A ray that is not finite gives {false, 1, (0, 0), 0} (cli.md); a miss gives uv + duv.
+// A ray that is not finite gives {false, 1, (0, 0), 0} (resources/help/command-line.md, "Rays and hits"); a miss gives uv + duv.
 // Errors: unknown technique, maps that are wanted and missing, cancelled.
 Expected<std::vector<SearchHit>> traceRays(std::string_view key, const Parameters& parameters, const SearchMaps& maps,
     std::span<const SearchRay> rays, const Progress& progress = {});

@@ -1,4 +1,4 @@
-// The contract of every technique: what a search gets and what it returns (design.md section 4).
+// The contract of every technique: what a search gets and what it returns (ARCHITECTURE.md, "The contract of a technique").
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 struct Ray {

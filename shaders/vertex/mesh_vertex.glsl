@@ -1,4 +1,4 @@
-// Vertex stage of the mesh: pushes the surface out so that the midlevel lies on the mesh (design.md section 3).
+// Vertex stage of the mesh: pushes the surface out so that the midlevel lies on the mesh (ARCHITECTURE.md, "Space, sign and unit").
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 layout(location = 2) in vec2 vertexUv;

@@ -1,4 +1,4 @@
-// Writes the corners of a mesh and the tangents made for them, for tangent_bench.sh to compare.
+// Writes the corners of a mesh and the tangents made for them, for tests/clients/mikktspace.sh to compare.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/frames/tangents.h"

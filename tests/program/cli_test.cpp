@@ -1,4 +1,4 @@
-// The command line as cli.md promises it: exit codes, messages and files.
+// The command line as resources/help/command-line.md promises it: exit codes, messages and files.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ground/file.h"

@@ -1,4 +1,4 @@
-// Reading and writing image files through the helper process relievo-imageio (design.md section 2).
+// Reading and writing image files through the helper process relievo-imageio (core/imageio): a broken file can end it, never the editor.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once

@@ -53,7 +53,7 @@ std::vector<NameGuess> otherReadings(std::string_view name);
 // follows a tag or number and an earlier kind word is left. Whether it is right depends on the siblings.
 std::optional<NameGuess> withoutWorkflow(std::string_view name);
 
-// cli.md's rule for an image without siblings.
+// Whether an image without siblings is a depth map.
 bool endsInDepth(std::string_view name);
 
 } // namespace relievo

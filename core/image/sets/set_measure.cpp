@@ -61,7 +61,7 @@ Convention normalByItself(const Image& image, Convention named)
     return named;
 }
 
-// Both maps speak: signs of the correlations (design.md, conventions).
+// Both maps speak: signs of the correlations.
 void measurePair(TextureSet& set, FoundMap& height, FoundMap& normal, const NamedConventions& named)
 {
     const Image& normals = imageOf(set, normal);

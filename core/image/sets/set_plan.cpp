@@ -155,7 +155,7 @@ Expected<SetPlan> planFolder(const fs::path& folder)
     return plan;
 }
 
-// cli.md: an image without siblings is a height map. A normal map or a packed file would make no sense as one.
+// An image without siblings is a height map. A normal map or a packed file would make no sense as one.
 Expected<SetPlan> planImage(const fs::path& file)
 {
     if (const Container* container = unsupported(file))

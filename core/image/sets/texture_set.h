@@ -40,7 +40,7 @@ struct TextureSet {
 };
 
 // source: a folder, or one image of a set (siblings by the same stem), or a single image without siblings: it is a height map
-// (a depth map when its stem ends in "depth"). Reads pixels to measure conventions (cli.md, `info --json`).
+// (a depth map when its stem ends in "depth"). Reads pixels to measure conventions (resources/help/command-line.md, "What info tells").
 // Errors: nothing there, no readable image, unsupported container (KTX, KTX2, raw float) named as such.
 Expected<TextureSet> openTextureSet(const std::filesystem::path& source, const Progress& progress = {});
 
@@ -53,7 +53,7 @@ MapSlot slotByHand(MapKind kind, const std::filesystem::path& file, DecodedImage
 // warnings.
 TextureSet textureSetOf(const std::string& name, const MapSlots& slots, const std::filesystem::path& folder);
 
-// `info --json` of cli.md for a set.
+// `info SOURCE --json` (resources/help/command-line.md, "What info tells").
 std::string textureSetJson(const TextureSet& set);
 
 } // namespace relievo

@@ -1,4 +1,4 @@
-// Texture Jacobians and tangents of a mesh (design.md section 3), from its triangles.
+// Texture Jacobians and tangents of a mesh (ARCHITECTURE.md, "Space, sign and unit"), from its triangles.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/frames/frames.h"

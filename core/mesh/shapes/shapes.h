@@ -1,4 +1,4 @@
-// Meshes by formula (design.md section 3): 1 m in their largest size, centred, y up.
+// Meshes by formula (ARCHITECTURE.md, "Space, sign and unit"): 1 m in their largest size, centred, y up.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once

@@ -179,8 +179,9 @@ TEST(Sweep, IsReproducible)
     EXPECT_NE(sweep(plan)->back().errors.meanFetches, a->back().errors.meanFetches);
 }
 
-// The table of algorithms.md for `linear 32 + bisect 8`: at 80 to 88 degrees about 28 % of the rays are wrong on hard maps. Here, at
-// 128 texels: clearly more than at 0 to 60 degrees, and none too short.
+// 32 linear steps and halvings at 80 to 88 degrees: some 30 % of the rays are wrong on hard fields
+// (resources/help/speed-and-error.md, "Beside known figures").
+// Here, at 128 texels: clearly more than at 0 to 60 degrees, and none too short.
 TEST(Sweep, LinearSearchIsAsWrongAsKnown)
 {
     SweepPlan plan = planOf({"relief"}, {}, {32});

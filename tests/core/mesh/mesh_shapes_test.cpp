@@ -1,4 +1,4 @@
-// The built-in shapes keep the conventions of design.md section 3: size, orientation, UVs, Jacobian and tangents.
+// The built-in shapes keep the conventions of ARCHITECTURE.md, "Space, sign and unit": size, orientation, UVs, Jacobian and tangents.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/mesh.h"

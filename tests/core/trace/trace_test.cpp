@@ -229,8 +229,8 @@ TEST(Techniques, ReliefFindsTheExactHitOfAGentleSurface)
         EXPECT_NEAR(hits[i].t, exact[i].t, 1e-5);
 }
 
-// The figure of algorithms.md's table for `linear 32 + bisect 8` at 80 to 88 degrees: between a sixth and a half of the rays pass
-// through thin features. A search that never overshoots would not be this one.
+// 32 linear steps and 8 halvings at 80 to 88 degrees: between a sixth and a half of the rays pass through thin features
+// (resources/help/speed-and-error.md, "Beside known figures"). A search that never overshoots would not be this one.
 TEST(Techniques, ReliefStepsOverThinFeaturesAtGrazingAngles)
 {
     std::mt19937 random(5);
