@@ -60,10 +60,11 @@ for room in app/window/main_window.cpp app/window/viewport/viewport.cpp app/wind
         failed=1
     fi
 done
-wanted='CHANGELOG.md CMakeLists.txt CMakePresets.json LICENSE README.md app core packaging render resources shaders tests'
-top=$(git ls-files 2>/dev/null | grep -v '^\.' | cut -d/ -f1 | sort -u | tr '\n' ' ' | sed 's/ $//')
-if [ -n "$top" ] && [ "$top" != "$wanted" ]; then
-    echo "the top level holds other things than it should: $top"
-    failed=1
-fi
+pages='README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md LICENSE'
+for name in $(git ls-files 2>/dev/null | grep -v '^\.' | cut -d/ -f1 | sort -u); do
+    if ! grep -qw -- "$name" <<< "$pages CMakeLists.txt CMakePresets.json app core packaging render resources shaders tests"; then
+        echo "the top level holds what it should not: $name"
+        failed=1
+    fi
+done
 exit $failed
