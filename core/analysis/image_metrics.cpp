@@ -162,7 +162,7 @@ Plane seen(const Plane& plane, int width, int height, std::array<Gaussian, 2> se
     std::array<Kernel, 2> kernels;
     std::array<double, 2> weights{};
     for (std::size_t i = 0; i < 2; ++i) {
-        const auto [a, b] = sensitivity[i];
+        const double a = sensitivity[i].a, b = sensitivity[i].b;
         kernels[i] = kernelOf(radius, [&](double x) { return std::exp(-kPi * kPi * x * x / (perDegree * perDegree * b)); });
         const double one = std::accumulate(kernels[i].begin(), kernels[i].end(), 0.);
         weights[i] = a * std::sqrt(kPi / b) * one * one;

@@ -27,7 +27,8 @@ struct Panorama {
 glm::vec3 directionOf(float column, float row, int width)
 {
     const float yaw = 2.f * kPi * ((column + 0.5f) / float(width) - 0.5f);
-    const float polar = kPi * (row + 0.5f) / float(width / 2);
+    const int height = width / 2;
+    const float polar = kPi * (row + 0.5f) / float(height);
     return {std::sin(yaw) * std::sin(polar), std::cos(polar), -std::cos(yaw) * std::sin(polar)};
 }
 

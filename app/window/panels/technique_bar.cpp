@@ -50,7 +50,7 @@ void TechniqueBar::resizeEvent(QResizeEvent*)
     m_list->setGeometry(rect());
 }
 
-void popUpTechniques(QWidget* parent, QPoint at, const std::string& current, std::function<void(const TechniqueRow&)> chosen)
+void popUpTechniques(QWidget* parent, QPoint at, const std::string& current, const std::function<void(const TechniqueRow&)>& chosen)
 {
     auto* menu = new QMenu(parent);
     menu->setAttribute(Qt::WA_DeleteOnClose);

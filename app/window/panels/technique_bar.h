@@ -37,6 +37,6 @@ private:
 };
 
 // The same as a menu at a point of the screen; it deletes itself.
-void popUpTechniques(QWidget* parent, QPoint at, const std::string& current, std::function<void(const TechniqueRow&)> chosen);
+void popUpTechniques(QWidget* parent, QPoint at, const std::string& current, const std::function<void(const TechniqueRow&)>& chosen);
 
 } // namespace relievo

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/sets/file_names.h"
+#include "tests/core/fuzz_rounds.h"
 #include "tests/core/image/image_support.h"
 #include <gtest/gtest.h>
 
@@ -12,11 +13,12 @@ TEST(ImageFuzz, MutatedFilesAreAnsweredWithinSize)
 {
     const TemporaryFolder folder;
     std::mt19937 random(7);
+    const int rounds = fuzzRounds(25);
     for (const char* suffix : {"png", "tif", "exr", "tga", "bmp", "hdr", "jpg"}) {
         const auto file = folder / (std::string("x.") + suffix);
         ASSERT_TRUE(writeImage(file, noiseImage(13, 11, 3, PixelType::U8)));
         const std::string good = readAll(file);
-        for (int round = 0; round < 25; ++round) {
+        for (int round = 0; round < rounds; ++round) {
             std::string bytes = good;
             for (int hits = 0; hits < 1 + round % 4; ++hits) // headers matter most
                 bytes[random() % std::min<std::size_t>(bytes.size(), round % 2 ? 64 : bytes.size())] = char(random());
@@ -36,7 +38,8 @@ TEST(ImageFuzz, AnyFileNameIsParsed)
     constexpr std::string_view kPieces[]
         = {"normal", "_", "-", "Height", "4K", "16", "bit", " ", ".", "n", "GL", "Color", "\xff\xfe", "(", "x", "0", "arm", "NORM"};
     std::mt19937 random(11);
-    for (int round = 0; round < 20000; ++round) {
+    const int rounds = fuzzRounds(20000);
+    for (int round = 0; round < rounds; ++round) {
         std::string name;
         for (unsigned long count = random() % 7; count > 0; --count)
             name += random() % 8 ? std::string(kPieces[random() % std::size(kPieces)]) : std::string(1, char(random()));

@@ -1,6 +1,7 @@
 // Damaged mesh files of every format open sound or are refused with a sentence.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/fuzz_rounds.h"
 #include "tests/core/mesh/mesh_support.h"
 
 using namespace relievo;
@@ -37,10 +38,11 @@ TEST(MeshFuzz, MutatedFilesOpenSoundOrAreRefused)
         {"t.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"},
         {"a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"}};
     std::mt19937 random(20240607);
+    const int rounds = fuzzRounds(150);
     const Scratch scratch;
     ASSERT_TRUE(openMesh(scratch.write("seed.glb", glb)));
     for (const auto& [name, bytes] : seeds) {
-        for (int round = 0; round < 150; ++round) {
+        for (int round = 0; round < rounds; ++round) {
             const std::string file = scratch.write(name, mutated(bytes, random));
             const Expected<Mesh> mesh = openMesh(file);
             if (mesh)

@@ -4,6 +4,7 @@
 #include "core/mesh/animation/pose.h"
 #include "core/mesh/frames/frames.h"
 #include "core/state/shapes.h"
+#include "tests/core/fuzz_rounds.h"
 #include "tests/core/mesh/mesh_support.h"
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
@@ -311,9 +312,10 @@ TEST(MeshPose, MutatedFilesMoveSoundly)
     Strip morphing = skinned();
     morphing.targets = ",\"targets\":[{\"POSITION\":#}]";
     std::mt19937 random(5);
+    const int rounds = fuzzRounds(200);
     const Scratch scratch;
     for (const std::string& seed : {skinned().file(), morphing.file()})
-        for (int round = 0; round < 200; ++round) {
+        for (int round = 0; round < rounds; ++round) {
             const Expected<Mesh> mesh = openMesh(scratch.write("a.gltf", mutated(seed, random)));
             if (!mesh) {
                 expectSentence(mesh.error(), "a.gltf");

@@ -4,6 +4,7 @@
 #include "core/ground/file.h"
 #include "core/state/presets.h"
 #include "core/state/state_json.h"
+#include "tests/core/fuzz_rounds.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -195,7 +196,8 @@ TEST(StateJson, MutatedFilesNeverCrash)
 {
     const std::string good = toJson(unusualState(), "/a/b");
     std::mt19937 random(11);
-    for (int i = 0; i < 3000; ++i) {
+    const int rounds = fuzzRounds(3000);
+    for (int i = 0; i < rounds; ++i) {
         std::string text = good;
         for (int change = 0; change < 3; ++change)
             text[random() % text.size()] = char(random());
