@@ -114,13 +114,14 @@ void setFrame(Vertex& vertex, float weight, float metresPerUV)
     }
     const float lengths = glm::length(vertex.dPdu) * glm::length(vertex.dPdv);
     const float turn = glm::dot(glm::cross(vertex.dPdu, vertex.dPdv), n);
-    if (!(std::abs(turn) > 1e-4f * lengths) || !std::isfinite(turn) || lengths <= 1e-20f) {
-        vertex.dPdu = perpendicular(n) * metresPerUV;
+    const bool useless = !(std::abs(turn) > 1e-4f * lengths) || !std::isfinite(turn) || lengths <= 1e-20f;
+    const glm::vec3 alongU = useless ? perpendicular(n) : glm::normalize(vertex.dPdu);
+    if (useless) {
+        vertex.dPdu = alongU * metresPerUV; // of a tiny mesh too short to be normalised
         vertex.dPdv = glm::cross(vertex.dPdu, n);
     }
-    const float sign = glm::dot(glm::cross(vertex.dPdu, vertex.dPdv), n) < 0.f ? 1.f : -1.f; // v runs down: unmirrored is negative
     if (vertex.tangent.w == 0.f)
-        vertex.tangent = glm::vec4(glm::normalize(vertex.dPdu), sign);
+        vertex.tangent = glm::vec4(alongU, useless || turn < 0.f ? 1.f : -1.f); // v runs down: unmirrored is negative
 }
 
 // Sets every vertex' Jacobian from its triangles; the mean size of the texture, 0 when no triangle says anything.

@@ -53,3 +53,14 @@ TEST(MeshFuzz, MutatedFilesOpenSoundOrAreRefused)
         }
     }
 }
+
+// Found by the above: the squares of such sizes are 0 in float.
+TEST(MeshFuzz, ATinyMeshWithoutUVsHasTangents)
+{
+    const Scratch scratch;
+    const Expected<Mesh> mesh = openMesh(scratch.write("a.obj", "v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nf 1 2 3\n"));
+    if (mesh)
+        expectSound(*mesh);
+    else
+        expectSentence(mesh.error(), "a.obj");
+}
