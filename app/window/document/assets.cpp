@@ -2,337 +2,216 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/assets.h"
-#include "app/window/document/recent_files.h"
-#include "core/image/sets/texture_set.h"
-#include <QFileInfo>
-#include <algorithm>
+#include "app/window/document/load_results.h"
+#include <utility>
 
 namespace relievo {
-
-struct Assets::Loaded {
-    State base; // what it was read on
-    Opened opened;
-    Shown shown;
-    std::optional<Error> error;
-};
-
-namespace {
-bool hasMap(const Material& material, MapKind kind)
-{
-    return kind == MapKind::Height ? material.height.has_value() : material.map(kind) != nullptr;
-}
-
-// A file that `next` names anew but that could not be read.
-std::optional<Error> newFileThatFailed(const State& before, const State& next, const Shown& shown)
-{
-    if (shown.mesh && next.mesh != before.mesh)
-        return shown.mesh->why;
-    if (shown.environment && next.environment != before.environment)
-        return shown.environment->why;
-    const Material& material = *shown.resources.material;
-    for (const MapKindRow& row : kMapKinds) {
-        const MapSlot& slot = next.slots[std::size_t(row.kind)];
-        if (slot.empty() || slot == before.slots[std::size_t(row.kind)] || hasMap(material, row.kind))
-            continue;
-        for (const Warning& warning : material.warnings)
-            if (tellsOf(warning, slot.file))
-                return Error{warning.text.ends_with('.') ? warning.text.substr(0, warning.text.size() - 1) : warning.text, "", ""};
-        return Error{"the map could not be read", slot.file, "Choose another file"};
-    }
-    return {};
-}
-
-bool cancelled(const Error& error)
-{
-    return error.what == "cancelled";
-}
-
-bool isWhole(const QString& source)
-{
-    return isProjectFile(source.toStdString()) || source.startsWith("scene:");
-}
-
-// What a SOURCE of maps brings into `state`; it was read on `base`.
-void takeMaps(State& state, const State& base, const Opened& source, bool builtIn)
-{
-    const State& opened = source.state;
-    state.slots = opened.slots;
-    state.name = opened.name;
-    if (builtIn) // a sample brings its depth
-        state.parameters.depth = opened.parameters.depth;
-    if (opened.mesh != base.mesh) // a mesh with textures
-        state.mesh = opened.mesh, state.part = opened.part, state.panes = opened.panes;
-    if (!source.bringsValues)
-        return;
-    for (const ParameterRow& row : kParameters) // what was edited meanwhile stays
-        if (const Value value = get(opened.parameters, row); value != get(base.parameters, row))
-            set(state.parameters, row, value);
-    if (opened.panes != base.panes)
-        state.panes = opened.panes;
-}
-
-constexpr auto kNone = [](const auto&) { return false; };
-} // namespace
+constexpr const char* kFirstSource = "sample:bricks"; // the window is never empty
 
 Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObject(parent), m_document(document), m_messages(messages)
 {
-    connect(&document, &Document::changed, this, &Assets::follow);
-    connect(&document, &Document::choseAgain, this, [this] { // what was stopped or failed is tried once more
-        if (m_background.busy() || !m_jobs.empty())
-            return;
-        m_followed.reset();
-        check();
-    });
+    connect(&document, &Document::changed, this, &Assets::documentChanged);
+    connect(&document, &Document::choseAgain, this, &Assets::choseAgain);
     connect(&m_background, &Background::failed, this, [this](const QString& what) {
-        m_following = false;
-        const Error error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"};
-        m_jobs.empty() ? m_messages.set("follow", error) : refuse(error);
-        jobEnded();
+        if (const QueuedJob* job = m_queue.running())
+            end(job->id, Error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"});
     });
     connect(&m_background, &Background::busyChanged, this, [this](bool busy) {
-        if (busy)
-            return;
-        if (std::exchange(m_following, false))
-            return tellStopped();
-        if (m_jobs.empty())
-            return;
-        m_jobs.clear(); // cancelled
-        m_refused = true;
-        Q_EMIT refused();
-        endChanges();
-        if (!ready()) // never an empty window
-            openDocument("sample:bricks", State{}, false);
-        else if (!fits(m_document.state()))
-            tellStopped(); // what was to be followed after it
+        if (!busy && m_queue.running()) // else its end is known
+            cancelled();
     });
-}
-
-Assets::Loaded Assets::open(const std::string& source, const State& base, const Shown& previous, const Progress& progress)
-{
-    Loaded result{base, {}, {}, {}};
-    auto opened = openSource(source, base, progress.part(0.f, 0.6f));
-    if (!opened) {
-        result.error = opened.error();
-        return result;
-    }
-    result.opened = std::move(*opened);
-    auto shown = loadWhatIsThere(result.opened.state, result.opened.images, previous, progress.part(0.6f, 1.f));
-    if (shown)
-        result.shown = std::move(*shown);
-    else
-        result.error = shown.error();
-    return result;
 }
 
 void Assets::openDocument(const QString& source)
 {
-    const bool whole = isWhole(source); // else the maps alone are replaced, also those of another opening of maps
-    enqueue(Opening{source, m_document.state(), {}}, [whole](const Job& job) { return !job.change && (whole || !job.whole); });
+    if (isWholeDocument(source))
+        request(OpenDocument{.source = source, .before = m_document.state()});
+    else
+        request(OpenInto{.source = source, .before = m_document.state()});
 }
 
 void Assets::openDocument(const QString& source, const State& base, bool counted)
 {
-    enqueue(Opening{source, m_document.state(), base, counted}, [](const Job& job) { return !job.change; });
+    request(OpenDocument{.source = source, .before = m_document.state(), .base = base, .counted = counted});
 }
 
 void Assets::openState(const State& state, const Warnings& warnings, const QString& file)
 {
-    const auto work = [this, state, warnings, file, before = m_document.state()](
-                          const State&, const Shown& previous, const Progress& progress) -> Background::Then {
-        Loaded loaded{state, Opened{state, {}, warnings}, {}, {}};
-        if (const auto shown = loadWhatIsThere(state, {}, previous, progress))
-            loaded.shown = *shown;
-        else
-            loaded.error = shown.error();
-        return [this, state, file, before, loaded] { opened({{}, before, state, false, false, {}, file}, loaded); };
-    };
-    enqueue(Job{work, true}, [](const Job& job) { return !job.change; });
+    request(OpenState{.state = state, .before = m_document.state(), .warnings = warnings, .file = file});
 }
 
 void Assets::openInto(const QString& source)
 {
-    if ((m_document.file().isEmpty() && !m_document.isModified()) || isWhole(source))
+    if ((m_document.file().isEmpty() && !m_document.isModified()) || isWholeDocument(source))
         return openDocument(source);
-    enqueue(Opening{source, m_document.state(), {}, true, true}, [](const Job& job) { return !job.change && !job.whole; });
+    request(OpenInto{.source = source, .before = m_document.state(), .asStep = true});
 }
 
-void Assets::propose(const QString& text, std::function<void(State&)> change, const Look& look)
+void Assets::propose(const QString& text, StateChange change)
 {
-    const auto work = [this, text, change, look](const State& now, const Shown& previous, const Progress& progress) -> Background::Then {
-        DecodedImages images;
-        Warnings warnings;
-        const auto settled = look ? look(images, warnings) : change;
-        State next = now;
-        settled(next);
-        const auto shown = loadWhatIsThere(next, images, previous, progress);
-        return [this, text, settled, next, now, shown, warnings] {
-            if (!shown)
-                return refuse(shown.error());
-            if (const auto error = newFileThatFailed(now, next, *shown))
-                return refuse(*error);
-            m_messages.clear("load");
-            m_messages.set("assigned", warnings);
-            take(*shown);
-            m_document.edit(text, settled);
-        };
-    };
-    const State now = m_document.state();
-    State after = now;
-    change(after);
-    enqueue(Job{work, false, true, text, change, bool(look)},
-        [&](const Job& job) { // another shape while one is loading, another file for the same map
-            State both = now;
-            if (job.change)
-                job.change(both);
-            change(both);
-            return job.change && both == after;
-        });
+    request(EditNeeds{.text = text, .change = std::move(change)});
 }
 
 void Assets::assign(const QString& text, MapKind kind, const std::string& file)
 {
-    const auto put = [kind](const MapSlot& slot) { return [kind, slot](State& state) { state.slots[std::size_t(kind)] = slot; }; };
-    if (file.empty())
-        return propose(text, put({}));
-    propose(text, put({file}),
-        [put, kind, file](DecodedImages& images, Warnings& warnings) { return put(slotByHand(kind, file, images, warnings)); });
-}
-
-bool Assets::locatesMesh(const QString& file) const
-{
-    return missingMesh() && QFileInfo(file).fileName() == QFileInfo(QString::fromStdString(m_document.state().mesh)).fileName();
+    request(assignment(text, kind, file));
 }
 
 void Assets::dropChanges()
 {
     if (!changesPending())
         return;
-    while (changesPending())
-        m_jobs.pop_front();
-    m_refused = true;
-    if (m_jobs.empty())
-        m_background.cancel();
+    m_queue.dropChanges();
     runNext();
     Q_EMIT refused();
     endChanges();
 }
 
-void Assets::enqueue(Job job, const std::function<bool(const Job&)>& pointless)
+void Assets::request(Job job)
 {
-    const bool runs = !m_jobs.empty() && !pointless(m_jobs.front());
-    m_jobs.remove_if(pointless);
-    m_jobs.push_back(std::move(job));
-    if (!runs) {
-        runNext();
-        endChanges(); // what it made pointless may have been waited for
-    }
+    m_queue.request(std::move(job), m_document.state());
+    runNext();
+    endChanges(); // what it made pointless may have been waited for
 }
 
-void Assets::enqueue(const Opening& opening, const std::function<bool(const Job&)>& pointless)
-{
-    const auto work = [this, opening](const State& now, const Shown& previous, const Progress& progress) -> Background::Then {
-        const State base = opening.base.value_or(now);
-        const Loaded loaded = open(opening.source.toStdString(), base, previous, progress);
-        return [this, opening, loaded] { opened(opening, loaded); };
-    };
-    enqueue(Job{work, opening.base || isWhole(opening.source), opening.asStep}, pointless);
-}
-
-// Proposals that need no more files are done at once; the first other job starts.
+// Edits that need no files are done at once; the first other job starts, unless one runs.
 void Assets::runNext()
 {
-    while (!m_jobs.empty() && m_jobs.front().change) {
-        State next = m_document.state();
-        m_jobs.front().change(next);
-        if (!holds(next) || m_jobs.front().looks)
-            break;
-        const Job job = std::move(m_jobs.front());
-        m_jobs.pop_front();
+    while (const auto edit = m_queue.nextDoneAtOnce(m_document.state(), [this](const State& state) { return m_store.isLoaded(state); })) {
         m_messages.clear("load");
         m_messages.clear("assigned");
-        m_document.edit(job.text, job.change);
+        m_document.edit(edit->text, edit->change);
     }
-    if (m_jobs.empty())
-        return check();
-    if (m_background.busy())
-        m_followed.reset(), m_following = false; // is followed again after this
-    m_background.start(
-        [this, work = m_jobs.front().work, now = m_document.state(), previous = m_shown](const Progress& progress) -> Background::Then {
-            return [this, then = work(now, previous, progress)] {
-                then();
-                jobEnded();
-            };
-        });
+    if (const QueuedJob* next = m_queue.startNext())
+        start(*next, tr("Loading"));
+    else if (!m_queue.hasRequests())
+        follow();
+    if (!m_queue.running())
+        m_background.cancel(); // its work has become pointless
 }
 
-void Assets::jobEnded()
+void Assets::start(const QueuedJob& job, const QString& what)
 {
-    if (!m_jobs.empty())
-        m_jobs.pop_front();
+    const auto work = [this, job, now = m_document.state(), previous = m_store.shown()](const Progress& progress) -> Background::Then {
+        const Expected<Loaded> loaded = load(job.job, now, previous, progress);
+        return [this, job, loaded] {
+            if (!loaded)
+                return end(job.id, loaded.error());
+            finish(job.job, *loaded);
+            end(job.id, {});
+        };
+    };
+    m_background.start(work, what);
+}
+
+void Assets::end(JobId id, const std::optional<Error>& why)
+{
+    const std::optional<Job> job = m_queue.end(id, why ? JobState::Refused : JobState::Done);
+    if (job && why)
+        tellRefused(*job, *why);
     runNext();
     endChanges();
+}
+
+void Assets::tellRefused(const Job& job, const Error& why)
+{
+    if (std::holds_alternative<Follow>(job))
+        return m_messages.set("follow", why);
+    m_messages.set("load", why);
+    Q_EMIT refused();
+    const auto* opening = std::get_if<OpenDocument>(&job);
+    if (isOpening(job) && !ready() && !m_queue.hasOpenings() && !(opening && opening->insteadOf))
+        m_queue.request(
+            OpenDocument{.source = kFirstSource, .before = m_document.state(), .base = State{}, .counted = false, .insteadOf = why},
+            m_document.state());
+}
+
+void Assets::cancelled()
+{
+    const bool followed = !m_queue.hasRequests();
+    m_queue.cancel();
+    if (followed)
+        return stopped();
+    Q_EMIT refused();
+    endChanges();
+    if (!ready())
+        openDocument(kFirstSource, State{}, false);
+    else if (!m_store.isComplete(m_document.state()))
+        stopped(); // what was to be followed after it
 }
 
 void Assets::endChanges()
 {
     if (!changesPending())
-        Q_EMIT changesEnded(!std::exchange(m_refused, false));
+        Q_EMIT changesEnded(m_queue.allChangesMade());
 }
 
-void Assets::opened(const Opening& opening, const Loaded& loaded)
+// Asks first when work would be lost that was done meanwhile.
+void Assets::finish(const Job& job, const Loaded& loaded)
 {
-    if (loaded.error) {
-        refuse(*loaded.error);
-        if (!ready() && !opening.instead) // never an empty window
-            enqueue(Opening{"sample:bricks", m_document.state(), State{}, false, false, loaded.error}, kNone);
-        return;
-    }
-    const bool edited(differences(opening.before, m_document.state()) & ~(Changes(Change::Camera) | Change::Moment));
-    if (edited && askFirst && (opening.base || isWhole(opening.source)))
-        askFirst([this, opening, loaded] { show(opening, loaded, false); });
-    else
-        show(opening, loaded, edited);
+    const auto bring = [this, job, loaded] {
+        tellLoaded(job, loaded, m_messages);
+        show(loaded.shown);
+        applyLoaded(job, loaded, m_document);
+        if (const auto* opening = std::get_if<OpenDocument>(&job); opening && opening->insteadOf)
+            m_messages.set("load", *opening->insteadOf); // after the change, which clears it
+    };
+    if (!askFirst || !losesWork(job, m_document))
+        return bring();
+    askFirst([this, bring] { // answered when other jobs may have ended
+        bring();
+        follow();
+    });
 }
 
-void Assets::show(const Opening& opening, const Loaded& loaded, bool edited)
+void Assets::show(const Shown& shown)
 {
-    const std::string source = opening.source.toStdString();
-    const bool builtIn = isBuiltInSource(source);
-    m_messages.clear("load");
-    m_messages.clear("assigned");
-    m_messages.set("opened", loaded.opened.warnings);
-    take(loaded.shown);
-    const State& next = loaded.opened.state;
-    State present = m_document.state();
-    takeMaps(present, loaded.base, loaded.opened, builtIn);
-    if (opening.base || isWhole(opening.source))
-        m_document.start(next, isProjectFile(source) ? QFileInfo(opening.source).absoluteFilePath() : opening.file);
-    else if (opening.asStep || edited)
-        m_document.edit(tr("Open %1").arg(QString::fromStdString(next.name)), [&](State& state) { state = present; });
-    else
-        m_document.start(present, {});
-    if (opening.instead) // after the edit, which clears it
-        m_messages.set("load", *opening.instead);
-    if (opening.counted && !builtIn)
-        addRecentFile(QFileInfo(opening.source).absoluteFilePath());
-    check();
-}
-
-void Assets::take(const Shown& shown)
-{
-    m_shown = shown;
-    m_messages.set("missing", warningsOf(shown));
-    m_messages.set("maps", resources().material->warnings);
-    m_messages.set("mesh", resources().mesh->warnings);
+    m_store.show(shown);
+    tellShown(shown, m_messages);
     Q_EMIT resourcesChanged();
 }
 
-void Assets::refuse(const Error& error)
+void Assets::documentChanged(Changes what)
 {
-    if (!cancelled(error))
-        m_messages.set("load", error);
-    m_refused = true;
-    Q_EMIT refused();
+    if (what & ~(Changes(Change::Camera) | Change::Moment))
+        m_messages.clear("load"); // the work goes on without what was refused
+    if (what & ~(Changes(Change::Camera) | Change::Moment | Change::View | Change::Name))
+        follow();
+}
+
+// What was stopped or failed is tried once more.
+void Assets::choseAgain()
+{
+    if (m_background.busy() || m_queue.hasRequests())
+        return;
+    m_queue.followAgain();
+    follow();
+}
+
+// Undo, redo and pasted States name other files than those that are loaded, another technique searches with another map.
+void Assets::follow()
+{
+    if (!ready() || m_queue.hasRequests()) // the last job's end looks again
+        return;
+    const State& now = m_document.state();
+    if (m_store.isComplete(now)) {
+        m_queue.stopFollowing();
+        m_messages.clear("follow");
+        return m_background.cancel(); // it is pointless
+    }
+    m_queue.request(Follow{.needs = needsOf(now)}, now);
+    const QueuedJob* job = m_queue.startNext();
+    if (!job)
+        return;
+    const QString map = m_store.missingMap(now);
+    tellFollowing(map, m_messages);
+    start(*job, map.isEmpty() ? tr("Loading") : tr("Making the %1").arg(map));
+}
+
+void Assets::stopped()
+{
+    m_queue.dontFollow(needsOf(m_document.state())); // until it is chosen again
+    tellStopped(m_store.missingMap(m_document.state()), m_messages);
 }
 
 } // namespace relievo

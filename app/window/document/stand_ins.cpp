@@ -39,7 +39,7 @@ bool isBack(const std::optional<StandIn>& standIn, const std::string& file)
 bool isBack(const Material& material, const MapSlot& slot)
 {
     return !slot.empty() && std::ranges::any_of(material.warnings, [&](const Warning& warning) {
-        return warning.code == "map-missing" && tellsOf(warning, slot.file);
+        return warning.code == "map-missing" && isAbout(warning, slot.file);
     }) && pictureMayExist(slot.file);
 }
 
@@ -90,7 +90,7 @@ std::string sentence(const StandIn& standIn, const std::string& file, const std:
 }
 } // namespace
 
-bool tellsOf(const Warning& warning, const std::string& file)
+bool isAbout(const Warning& warning, const std::string& file)
 {
     return warning.text.starts_with(file + ": ") || warning.text.find('(' + file + ')') != std::string::npos;
 }

@@ -29,7 +29,7 @@ Expected<Shown> loadWhatIsThere(const State& state, const DecodedImages& images,
 Warnings warningsOf(const Shown& shown);
 
 // Whether the warning of a material is about this very file of it.
-bool tellsOf(const Warning& warning, const std::string& file);
+bool isAbout(const Warning& warning, const std::string& file);
 
 // Whether a file that was missing is there again (or one that could not be read is another one now).
 bool isBack(const Shown& shown);

@@ -1,0 +1,132 @@
+// Reading files for the window, off its thread.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/document/load_jobs.h"
+#include "core/image/sets/texture_set.h"
+#include <utility>
+
+namespace relievo {
+namespace {
+bool hasMap(const Material& material, MapKind kind)
+{
+    return kind == MapKind::Height ? material.height.has_value() : material.map(kind) != nullptr;
+}
+
+// A file that `next` names anew but that could not be read.
+std::optional<Error> newFileThatFailed(const State& before, const State& next, const Shown& shown)
+{
+    if (shown.mesh && next.mesh != before.mesh)
+        return shown.mesh->why;
+    if (shown.environment && next.environment != before.environment)
+        return shown.environment->why;
+    const Material& material = *shown.resources.material;
+    for (const MapKindRow& row : kMapKinds) {
+        const MapSlot& slot = next.slots[std::size_t(row.kind)];
+        if (slot.empty() || slot == before.slots[std::size_t(row.kind)] || hasMap(material, row.kind))
+            continue;
+        for (const Warning& warning : material.warnings)
+            if (isAbout(warning, slot.file))
+                return Error{warning.text.ends_with('.') ? warning.text.substr(0, warning.text.size() - 1) : warning.text, "", ""};
+        return Error{"the map could not be read", slot.file, "Choose another file"};
+    }
+    return {};
+}
+
+// Where a job's turn finds the document and the data.
+struct Turn {
+    const State& now;
+    const Shown& previous;
+    const Progress& progress;
+};
+
+// Loads what loaded.opened.state names.
+Expected<Loaded> withFiles(Loaded loaded, const Shown& previous, const Progress& progress)
+{
+    auto shown = loadWhatIsThere(loaded.opened.state, loaded.opened.images, previous, progress);
+    if (!shown)
+        return tl::unexpected(shown.error());
+    loaded.shown = std::move(*shown);
+    loaded.opened.images = {};
+    return loaded;
+}
+
+Expected<Loaded> loadSource(const QString& source, const State& base, const Turn& turn)
+{
+    auto opened = openSource(source.toStdString(), base, turn.progress.part(0.f, 0.6f));
+    if (!opened)
+        return tl::unexpected(opened.error());
+    return withFiles({.base = base, .opened = std::move(*opened), .shown = {}}, turn.previous, turn.progress.part(0.6f, 1.f));
+}
+
+Expected<Loaded> loadFor(const OpenDocument& job, const Turn& turn)
+{
+    return loadSource(job.source, job.base.value_or(turn.now), turn);
+}
+
+Expected<Loaded> loadFor(const OpenState& job, const Turn& turn)
+{
+    return withFiles({.base = job.state, .opened = {.state = job.state, .images = {}, .warnings = job.warnings}, .shown = {}},
+        turn.previous, turn.progress);
+}
+
+Expected<Loaded> loadFor(const OpenInto& job, const Turn& turn)
+{
+    return loadSource(job.source, turn.now, turn);
+}
+
+Expected<Loaded> loadFor(const EditNeeds& job, const Turn& turn)
+{
+    Loaded loaded{.base = turn.now, .opened = {.state = turn.now, .images = {}, .warnings = {}}, .shown = {}};
+    loaded.change = job.look ? job.look(loaded.opened.images, loaded.opened.warnings) : job.change;
+    loaded.change(loaded.opened.state);
+    auto result = withFiles(std::move(loaded), turn.previous, turn.progress);
+    if (result)
+        if (const auto error = newFileThatFailed(turn.now, result->opened.state, result->shown))
+            return tl::unexpected(*error);
+    return result;
+}
+
+Expected<Loaded> loadFor(const Follow&, const Turn& turn)
+{
+    return withFiles(
+        {.base = turn.now, .opened = {.state = turn.now, .images = {}, .warnings = {}}, .shown = {}}, turn.previous, turn.progress);
+}
+} // namespace
+
+bool replacesDocument(const Job& job)
+{
+    return std::holds_alternative<OpenDocument>(job) || std::holds_alternative<OpenState>(job);
+}
+
+bool isOpening(const Job& job)
+{
+    return replacesDocument(job) || std::holds_alternative<OpenInto>(job);
+}
+
+bool isChange(const Job& job)
+{
+    const auto* into = std::get_if<OpenInto>(&job);
+    return std::holds_alternative<EditNeeds>(job) || (into && into->asStep);
+}
+
+EditNeeds assignment(const QString& text, MapKind kind, const std::string& file)
+{
+    const auto put = [kind](const MapSlot& slot) { return [kind, slot](State& state) { state.slots[std::size_t(kind)] = slot; }; };
+    if (file.empty())
+        return {.text = text, .change = put({})};
+    const auto look
+        = [put, kind, file](DecodedImages& images, Warnings& warnings) { return put(slotByHand(kind, file, images, warnings)); };
+    return {.text = text, .change = put({file}), .look = look};
+}
+
+bool isWholeDocument(const QString& source)
+{
+    return isProjectFile(source.toStdString()) || source.startsWith("scene:");
+}
+
+Expected<Loaded> load(const Job& job, const State& now, const Shown& previous, const Progress& progress)
+{
+    return std::visit([turn = Turn{now, previous, progress}](const auto& kind) { return loadFor(kind, turn); }, job);
+}
+
+} // namespace relievo

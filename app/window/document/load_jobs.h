@@ -1,0 +1,75 @@
+// The kinds of work that wait for files, and what each comes to in a thread of its own.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "app/window/document/resource_store.h"
+#include <functional>
+#include <optional>
+#include <variant>
+
+namespace relievo {
+
+using StateChange = std::function<void(State&)>;
+
+// A SOURCE of cli.md takes the place of the present document.
+struct OpenDocument {
+    QString source;
+    State before; // the document when this was asked for: what was edited since would be lost
+    std::optional<State> base = {}; // read on this; else on the document as it is when the turn comes
+    bool counted = true; // among the recent files
+    std::optional<Error> insteadOf = {}; // opened because of this failure, which stays told
+};
+
+// A State that has been read already takes the place of the present document.
+struct OpenState {
+    State state;
+    State before; // as above
+    Warnings warnings = {};
+    QString file = {}; // the project that it belongs to, "" for untitled
+};
+
+// The maps of a SOURCE come into the present document, which keeps mesh, camera and parameters.
+struct OpenInto {
+    QString source;
+    State before; // as above; then they come as an undo step in any case
+    bool asStep = false; // of undo; else they begin a document of their own
+};
+
+// An edit that needs other files: the document changes only when all that is new could be read.
+struct EditNeeds {
+    // Looks at the file itself, in the job's thread, and settles what the change is.
+    using Look = std::function<StateChange(DecodedImages&, Warnings&)>;
+    QString text; // of the undo step
+    StateChange change; // as it is known without looking
+    Look look = {};
+};
+
+// The data follows the document: other files after an undo, another acceleration map for another technique.
+struct Follow {
+    Needs needs;
+};
+
+using Job = std::variant<OpenDocument, OpenState, OpenInto, EditNeeds, Follow>;
+
+bool replacesDocument(const Job& job);
+bool isOpening(const Job& job); // of a document, or into this one
+bool isChange(const Job& job); // ends as an undo step of the present document
+
+// The map of one slot, as its name and pixels suggest (slotByHand); "" clears it.
+EditNeeds assignment(const QString& text, MapKind kind, const std::string& file);
+
+// Whether a SOURCE is a document of its own, not maps for the present one.
+bool isWholeDocument(const QString& source);
+
+// What was read for a job.
+struct Loaded {
+    State base; // it was read on this
+    Opened opened; // the State that the files are of; its pictures are used up
+    Shown shown;
+    StateChange change = {}; // of an edit, settled
+};
+
+// From document and data as they are when the job's turn comes; any thread. An edit whose new files could not be read is an error.
+Expected<Loaded> load(const Job& job, const State& now, const Shown& previous, const Progress& progress);
+
+} // namespace relievo

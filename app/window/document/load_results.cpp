@@ -1,0 +1,116 @@
+// The ends of the jobs, in the interface's thread.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/document/load_results.h"
+#include "app/window/document/recent_files.h"
+#include <QFileInfo>
+
+namespace relievo {
+namespace {
+void addToRecent(const QString& source)
+{
+    if (!isBuiltInSource(source.toStdString()))
+        addRecentFile(QFileInfo(source).absoluteFilePath());
+}
+
+// What a SOURCE of maps brings into `state`; what was edited there while it was read stays.
+void bringMaps(State& state, const Loaded& loaded, bool builtIn)
+{
+    const State &opened = loaded.opened.state, &base = loaded.base;
+    state.slots = opened.slots;
+    state.name = opened.name;
+    if (builtIn) // a sample brings its depth
+        state.parameters.depth = opened.parameters.depth;
+    if (opened.mesh != base.mesh) // a mesh with textures
+        state.mesh = opened.mesh, state.part = opened.part, state.panes = opened.panes;
+    if (!loaded.opened.bringsValues)
+        return;
+    for (const ParameterRow& row : kParameters)
+        if (const Value value = get(opened.parameters, row); value != get(base.parameters, row))
+            set(state.parameters, row, value);
+    if (opened.panes != base.panes)
+        state.panes = opened.panes;
+}
+
+void apply(const OpenDocument& job, const Loaded& loaded, Document& document)
+{
+    const bool isProject = isProjectFile(job.source.toStdString());
+    document.start(loaded.opened.state, isProject ? QFileInfo(job.source).absoluteFilePath() : QString());
+    if (job.counted)
+        addToRecent(job.source);
+}
+
+void apply(const OpenState& job, const Loaded& loaded, Document& document)
+{
+    document.start(loaded.opened.state, job.file);
+}
+
+void apply(const OpenInto& job, const Loaded& loaded, Document& document)
+{
+    State next = document.state();
+    bringMaps(next, loaded, isBuiltInSource(job.source.toStdString()));
+    if (job.asStep || editedSince(job.before, document))
+        document.edit(QObject::tr("Open %1").arg(QString::fromStdString(next.name)), [&](State& state) { state = next; });
+    else
+        document.start(next, {});
+    addToRecent(job.source);
+}
+
+void apply(const EditNeeds& job, const Loaded& loaded, Document& document)
+{
+    document.edit(job.text, loaded.change);
+}
+
+void apply(const Follow&, const Loaded&, Document&) { } // it is the data that changes
+} // namespace
+
+bool editedSince(const State& before, const Document& document)
+{
+    return bool(differences(before, document.state()) & ~(Changes(Change::Camera) | Change::Moment));
+}
+
+bool losesWork(const Job& job, const Document& document)
+{
+    const auto* opening = std::get_if<OpenDocument>(&job);
+    const auto* state = std::get_if<OpenState>(&job);
+    return (opening && editedSince(opening->before, document)) || (state && editedSince(state->before, document));
+}
+
+void applyLoaded(const Job& job, const Loaded& loaded, Document& document)
+{
+    std::visit([&](const auto& kind) { apply(kind, loaded, document); }, job);
+}
+
+void tellLoaded(const Job& job, const Loaded& loaded, Messages& messages)
+{
+    if (std::holds_alternative<Follow>(job))
+        return;
+    messages.clear("load");
+    messages.set("assigned", isOpening(job) ? Warnings{} : loaded.opened.warnings);
+    if (isOpening(job))
+        messages.set("opened", loaded.opened.warnings);
+}
+
+void tellShown(const Shown& shown, Messages& messages)
+{
+    messages.set("missing", warningsOf(shown));
+    messages.set("maps", shown.resources.material->warnings);
+    messages.set("mesh", shown.resources.mesh->warnings);
+}
+
+void tellFollowing(const QString& map, Messages& messages)
+{
+    if (map.isEmpty())
+        messages.clear("follow");
+    else
+        messages.setNotice("follow", QObject::tr("The picture is drawn when the %1 has been made.").arg(map));
+}
+
+void tellStopped(const QString& map, Messages& messages)
+{
+    const QString told = map.isEmpty() ? QObject::tr("Loading was stopped; choose again what is not shown.")
+                                       : QObject::tr("Making the %1 was stopped; choose the technique again.").arg(map);
+    messages.set("follow", QList<Message>{{false, told}});
+}
+
+} // namespace relievo
