@@ -6,6 +6,7 @@
 #include "app/window/document/files.h"
 #include "core/image/samples/samples.h"
 #include "tests/app/window_support.h"
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/overlays.h"
+#include "app/window/widgets/section.h"
 #include "app/window/widgets/slider_scale.h"
 #include "core/state/views.h"
 #include "tests/app/window_support.h"

@@ -13,8 +13,9 @@
 #include "app/window/panels/parameter_panel.h"
 #include "app/window/panels/technique_bar.h"
 #include "app/window/viewport/viewport.h"
-#include "app/window/widgets/controls.h"
 #include "app/window/widgets/number_field.h"
+#include "app/window/widgets/segmented.h"
+#include "app/window/widgets/slider.h"
 #include <QAction>
 #include <QApplication>
 #include <QMimeData>

@@ -4,6 +4,7 @@
 #include "app/actions.h"
 #include "app/window/dialogs/color_dialog.h"
 #include "app/window/viewport/overlays.h"
+#include "app/window/widgets/switch.h"
 #include "tests/app/window_support.h"
 #include <QClipboard>
 #include <QLabel>

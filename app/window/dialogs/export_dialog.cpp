@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/dialogs/dialogs.h"
-#include "app/window/widgets/controls.h"
+#include "app/window/widgets/hairline.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include <QComboBox>

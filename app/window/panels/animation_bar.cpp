@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/animation_bar.h"
-#include "app/window/widgets/controls.h"
+#include "app/window/widgets/choice_list.h"
+#include "app/window/widgets/slider.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include "core/mesh/animation/pose.h"

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/map_row.h"
 #include "app/window/panels/thumbnails.h"
-#include "app/window/widgets/controls.h"
+#include "app/window/widgets/choice_list.h"
+#include "app/window/widgets/elided_label.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include <QDropEvent>

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/message_line.h"
-#include "app/window/widgets/controls.h"
+#include "app/window/widgets/elided_label.h"
+#include "app/window/widgets/hairline.h"
 #include "app/window/widgets/theme.h"
 #include <QEvent>
 #include <QHBoxLayout>

@@ -3,8 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/parameter_editor.h"
 #include "app/window/dialogs/color_dialog.h"
-#include "app/window/widgets/controls.h"
+#include "app/window/widgets/choice_list.h"
 #include "app/window/widgets/number_field.h"
+#include "app/window/widgets/segmented.h"
+#include "app/window/widgets/slider.h"
+#include "app/window/widgets/switch.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include <QContextMenuEvent>

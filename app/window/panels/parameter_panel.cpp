@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/parameter_panel.h"
 #include "app/window/panels/parameter_editor.h"
-#include "app/window/widgets/controls.h"
+#include "app/window/widgets/section.h"
+#include "app/window/widgets/segmented.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include <QLabel>

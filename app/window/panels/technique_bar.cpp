@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/technique_bar.h"
-#include "app/window/widgets/controls.h"
+#include "app/window/widgets/choice_list.h"
+#include "app/window/widgets/segmented.h"
 #include "app/window/widgets/text.h"
 #include <QMenu>
 #include <algorithm>

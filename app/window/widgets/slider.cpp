@@ -1,7 +1,7 @@
 // The slider: jumps, drags, fine and coarse, and the way back to exactly where it began.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/widgets/controls.h"
+#include "app/window/widgets/slider.h"
 #include "app/window/widgets/theme.h"
 #include <QKeyEvent>
 #include <QMouseEvent>
