@@ -6,15 +6,12 @@
 #include <QVector>
 #include <QWidget>
 
-class QComboBox;
-class QToolButton;
-
 namespace relievo {
 
-class ElidedLabel;
+class EnvironmentSection;
 class MapRow;
+class MeshSection;
 class Section;
-class Segmented;
 
 class MapPanel : public QWidget {
     Q_OBJECT
@@ -29,23 +26,15 @@ public:
     void choosePart(const QString& material);
     void setEnvironment(const QString& nameOrFile);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     std::function<void(State&)> locateOthers(const QString& file) const; // missing maps that lie beside `file`
     void addMaps(Section& section);
-    void addMesh(Section& section);
-    void addEnvironment(Section& section);
     void refresh();
-    void showParts(const State& state, const Mesh* mesh);
     Document& m_document;
     Assets& m_assets;
     QVector<MapRow*> m_rows;
-    Segmented* m_shapes = nullptr;
-    QComboBox* m_parts = nullptr;
-    ElidedLabel *m_meshName = nullptr, *m_meshFacts = nullptr, *m_environmentName = nullptr;
-    QToolButton* m_studio = nullptr;
+    MeshSection* m_mesh;
+    EnvironmentSection* m_environment;
 };
 
 } // namespace relievo

@@ -1,0 +1,163 @@
+// Choosing and showing mesh and environment.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/panels/scene_sections.h"
+#include "app/window/dialogs/dialogs.h"
+#include "app/window/widgets/choice_list.h"
+#include "app/window/widgets/elided_label.h"
+#include "app/window/widgets/segmented.h"
+#include "app/window/widgets/text.h"
+#include "app/window/widgets/theme.h"
+#include "core/mesh/mesh.h"
+#include "core/state/shapes.h"
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace relievo {
+namespace {
+QToolButton* lineButton(const char* picture, const QString& tip)
+{
+    auto* button = new QToolButton;
+    button->setIcon(icon(picture));
+    button->setIconSize({16, 16});
+    button->setFixedSize(24, 24);
+    button->setToolTip(tip);
+    return button;
+}
+
+ElidedLabel* factsLabel()
+{
+    auto* label = new ElidedLabel;
+    label->setFont(smallFont());
+    label->setProperty("role", "dim");
+    return label;
+}
+
+Segmented* shapeButtons()
+{
+    QVector<Segmented::Item> shapes;
+    for (std::string_view shape : kShapes)
+        shapes.append({{}, qt(shape).replace(0, 1, qt(shape).left(1).toUpper()), icon(shape)});
+    return new Segmented(shapes);
+}
+
+void showFile(ElidedLabel& label, const std::string& file, bool missing, const char* role)
+{
+    const QString path = QString::fromStdString(file), name = QFileInfo(path).fileName();
+    setRole(label, missing ? "warning" : role);
+    label.setFullText(missing ? QObject::tr("missing: %1").arg(name) : name);
+    label.setToolTip(path);
+}
+
+QString meshFacts(const Mesh& mesh)
+{
+    const glm::vec3 size = mesh.boundsMax - mesh.boundsMin;
+    return QObject::tr("%1 triangles   %2 \u00d7 %3 \u00d7 %4 m")
+        .arg(mesh.indices.size() / 3)
+        .arg(double(size.x), 0, 'g', 3)
+        .arg(double(size.y), 0, 'g', 3)
+        .arg(double(size.z), 0, 'g', 3);
+}
+} // namespace
+
+MeshSection::MeshSection(QWidget* parent)
+    : Section(tr("Mesh"), parent)
+    , m_shapes(shapeButtons())
+    , m_parts(new ChoiceList)
+    , m_name(factsLabel())
+    , m_facts(factsLabel())
+{
+    m_shapes->setObjectName("shapes");
+    m_parts->setObjectName("parts");
+    m_parts->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a long name does not widen the panel
+    m_parts->setToolTip(
+        tr("Which part of the mesh shows the material, by the materials of its file; the maps that the file has for it are taken"));
+    m_name->setObjectName("mesh-name");
+    auto* open = lineButton("mesh", tr("Open a mesh: glTF, OBJ, PLY, STL, OFF"));
+    auto* facts = new QVBoxLayout;
+    facts->setSpacing(0);
+    facts->addWidget(m_name);
+    facts->addWidget(m_facts);
+    auto* line = new QHBoxLayout;
+    line->addLayout(facts, 1);
+    line->addWidget(open, 0, Qt::AlignTop);
+    body()->addWidget(m_shapes);
+    body()->addWidget(m_parts);
+    body()->addLayout(line);
+    connect(m_parts, &QComboBox::activated, this, [this](int index) { Q_EMIT partChosen(m_parts->itemData(index).toString()); });
+    connect(m_shapes, &Segmented::chosen, this, [this](int index) { Q_EMIT chosen(qt(kShapes[std::size_t(index)])); });
+    connect(open, &QToolButton::clicked, this,
+        [this] { askForFile(this, tr("Open a mesh"), FileKind::Mesh, [this](const QString& file) { Q_EMIT chosen(file); }); });
+}
+
+void MeshSection::show(const State& state, const Mesh* mesh, bool missing)
+{
+    const auto shape = std::find(kShapes.begin(), kShapes.end(), state.mesh);
+    m_shapes->setCurrent(shape == kShapes.end() ? -1 : int(shape - kShapes.begin()));
+    showFile(*m_name, state.mesh, missing, "dim");
+    m_name->setVisible(shape == kShapes.end());
+    m_facts->setFullText(missing ? tr("a plane stands in") : mesh ? meshFacts(*mesh) : QString());
+    showParts(state, mesh);
+}
+
+// The materials that parts of the mesh name, when there is a choice.
+void MeshSection::showParts(const State& state, const Mesh* mesh)
+{
+    m_parts->clear();
+    m_parts->addItem(tr("All parts"), QString());
+    QStringList names;
+    for (const MeshPart& part : mesh ? mesh->parts : std::vector<MeshPart>{})
+        if (!names.contains(qt(part.material)))
+            names.append(qt(part.material));
+    for (const QString& name : names)
+        m_parts->addItem(name, name);
+    const bool textured = mesh && std::ranges::any_of(mesh->materials, [](const MeshMaterial& m) { return m.maps != MapSlots(); });
+    m_parts->setVisible(names.size() > 1 || textured);
+    m_parts->setCurrentIndex(std::max(0, m_parts->findData(QString::fromStdString(state.part))));
+}
+
+EnvironmentSection::EnvironmentSection(QWidget* parent)
+    : Section(tr("Environment"), parent)
+    , m_name(new ElidedLabel)
+    , m_studio(lineButton("reset", tr("Back to the built-in studio")))
+{
+    setObjectName("environment");
+    setAcceptDrops(true);
+    m_name->setObjectName("environment-name");
+    auto* open = lineButton("open", tr("Open a panorama: HDR or EXR"));
+    auto* line = new QHBoxLayout;
+    line->addWidget(m_name, 1);
+    line->addWidget(m_studio);
+    line->addWidget(open);
+    body()->addLayout(line);
+    connect(m_studio, &QToolButton::clicked, this, [this] { Q_EMIT chosen("studio"); });
+    connect(open, &QToolButton::clicked, this,
+        [this] { askForFile(this, tr("Open a panorama"), FileKind::Panorama, [this](const QString& file) { Q_EMIT chosen(file); }); });
+}
+
+void EnvironmentSection::show(const State& state, bool missing)
+{
+    const bool studio = state.environment == "studio";
+    showFile(*m_name, studio ? tr("Studio").toStdString() : state.environment, missing, "");
+    m_studio->setVisible(!studio);
+}
+
+bool EnvironmentSection::event(QEvent* event)
+{
+    if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
+        return Section::event(event);
+    auto* drop = static_cast<QDropEvent*>(event);
+    const auto urls = drop->mimeData()->urls();
+    if (urls.size() != 1 || !fits(FileKind::Panorama, urls.front().toLocalFile()))
+        return Section::event(event);
+    drop->acceptProposedAction();
+    if (event->type() == QEvent::Drop)
+        Q_EMIT chosen(urls.front().toLocalFile());
+    return true;
+}
+
+} // namespace relievo
