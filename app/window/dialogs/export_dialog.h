@@ -6,13 +6,13 @@
 #include "core/exporters/exporters.h"
 #include <QDialog>
 
-class QComboBox;
 class QLabel;
-class QLineEdit;
 class QProgressBar;
 class QPushButton;
 
 namespace relievo {
+
+class ExportForm;
 
 // Not modal: the picture can be changed meanwhile; what is exported is the document as it was when the button was pressed.
 class ExportDialog : public QDialog {
@@ -34,13 +34,7 @@ protected:
     void showEvent(QShowEvent*) override;
 
 private:
-    const ExportRow& target() const;
-    QString proposal() const;
-    QString out() const; // as typed, made whole: absolute and with the target's suffix
-    void targetChosen();
-    void propose();
     void documentStarted();
-    void browse();
     void write(const QString& out);
     void written(const QString& out, const Expected<Exported>& result);
     void stop();
@@ -49,11 +43,8 @@ private:
     const Document& m_document;
     const Assets& m_assets;
     Background m_background;
-    QComboBox *m_target, *m_size;
-    QLabel *m_help, *m_which, *m_result;
-    QLineEdit* m_out;
-    bool m_named = false; // the path was typed or chosen: it is not proposed anew
-    QStringList m_replaceable; // chosen knowingly, or written from this document
+    ExportForm* m_form;
+    QLabel *m_which, *m_result;
     QPushButton *m_export, *m_cancel;
     QProgressBar* m_progress;
 };
