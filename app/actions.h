@@ -8,45 +8,190 @@
 
 namespace relievo {
 
+// What a row is about, in the order of the table: MainWindow::run has a case for each, which the compiler checks.
+enum class Action {
+    New,
+    Open,
+    OpenFolder,
+    Save,
+    SaveAs,
+    Export,
+    Quit,
+    Undo,
+    Redo,
+    CopyPicture,
+    CopyCamera,
+    PasteCamera,
+    Wireframe,
+    TwoPanes,
+    Frame,
+    ResetCamera,
+    LightTheme,
+    Panels,
+    Shortcuts,
+    About,
+};
+
 struct ActionRow {
-    std::string_view key; // names the handler
+    Action action;
+    std::string_view key; // in tests and `describe actions`
     std::string_view menu; // title of the menu that it stands in
     std::string_view label; // as the menu shows it; "..." when more is asked
-    std::string_view shortcut; // portable text of a key sequence, "" for none
-    std::string_view icon; // file under resources/icons without suffix, "" for none
-    bool toggles; // keeps an on/off state
-    bool startsGroup; // a line is drawn above it
+    std::string_view shortcut = {}; // portable text of a key sequence, "" for none
+    std::string_view icon = {}; // file under resources/icons without suffix, "" for none
+    bool toggles = false; // keeps an on/off state
+    bool startsGroup = false; // a line is drawn above it
     std::string_view help; // one sentence: the tooltip
 };
 
 // Menus that hold rows of other tables are filled in after the row that names them: recent files after "open-folder", samples
 // after them, techniques and views at the top of "View".
 inline constexpr auto kActions = std::to_array<ActionRow>({
-    {"new", "File", "New", "Ctrl+N", "new", false, false, "Starts afresh with the built-in bricks."},
-    {"open", "File", "Open...", "Ctrl+O", "open", false, false, "Opens a project, or one image of a texture set with its siblings."},
-    {"open-folder", "File", "Open folder...", "Ctrl+Shift+O", "folder", false, false, "Opens the texture set that lies in a folder."},
-    {"save", "File", "Save", "Ctrl+S", "save", false, true, "Saves the project."},
-    {"save-as", "File", "Save as...", "Ctrl+Shift+S", "", false, false, "Saves the project under another name."},
-    {"export", "File", "Export...", "Ctrl+E", "export", false, true, "Writes the material for another program."},
-    {"quit", "File", "Quit", "Ctrl+Q", "", false, true, "Closes the editor; unsaved work is asked about."},
+    {.action = Action::New,
+        .key = "new",
+        .menu = "File",
+        .label = "New",
+        .shortcut = "Ctrl+N",
+        .icon = "new",
+        .help = "Starts afresh with the built-in bricks."},
+    {.action = Action::Open,
+        .key = "open",
+        .menu = "File",
+        .label = "Open...",
+        .shortcut = "Ctrl+O",
+        .icon = "open",
+        .help = "Opens a project, or one image of a texture set with its siblings."},
+    {.action = Action::OpenFolder,
+        .key = "open-folder",
+        .menu = "File",
+        .label = "Open folder...",
+        .shortcut = "Ctrl+Shift+O",
+        .icon = "folder",
+        .help = "Opens the texture set that lies in a folder."},
+    {.action = Action::Save,
+        .key = "save",
+        .menu = "File",
+        .label = "Save",
+        .shortcut = "Ctrl+S",
+        .icon = "save",
+        .startsGroup = true,
+        .help = "Saves the project."},
+    {.action = Action::SaveAs,
+        .key = "save-as",
+        .menu = "File",
+        .label = "Save as...",
+        .shortcut = "Ctrl+Shift+S",
+        .help = "Saves the project under another name."},
+    {.action = Action::Export,
+        .key = "export",
+        .menu = "File",
+        .label = "Export...",
+        .shortcut = "Ctrl+E",
+        .icon = "export",
+        .startsGroup = true,
+        .help = "Writes the material for another program."},
+    {.action = Action::Quit,
+        .key = "quit",
+        .menu = "File",
+        .label = "Quit",
+        .shortcut = "Ctrl+Q",
+        .startsGroup = true,
+        .help = "Closes the editor; unsaved work is asked about."},
 
-    {"undo", "Edit", "Undo", "Ctrl+Z", "undo", false, false, "Takes the last change back. Camera moves are not changes."},
-    {"redo", "Edit", "Redo", "Ctrl+Shift+Z", "redo", false, false, "Does again what was undone."},
-    {"copy-picture", "Edit", "Copy picture", "Ctrl+C", "picture", false, true, "Puts the picture as it is shown on the clipboard."},
-    {"copy-camera", "Edit", "Copy camera", "Ctrl+Shift+C", "camera", false, false,
-        "Puts the camera on the clipboard as text for --camera."},
-    {"paste-camera", "Edit", "Paste camera", "Ctrl+Shift+V", "paste", false, false, "Takes the camera from text on the clipboard."},
+    {.action = Action::Undo,
+        .key = "undo",
+        .menu = "Edit",
+        .label = "Undo",
+        .shortcut = "Ctrl+Z",
+        .icon = "undo",
+        .help = "Takes the last change back. Camera moves are not changes."},
+    {.action = Action::Redo,
+        .key = "redo",
+        .menu = "Edit",
+        .label = "Redo",
+        .shortcut = "Ctrl+Shift+Z",
+        .icon = "redo",
+        .help = "Does again what was undone."},
+    {.action = Action::CopyPicture,
+        .key = "copy-picture",
+        .menu = "Edit",
+        .label = "Copy picture",
+        .shortcut = "Ctrl+C",
+        .icon = "picture",
+        .startsGroup = true,
+        .help = "Puts the picture as it is shown on the clipboard."},
+    {.action = Action::CopyCamera,
+        .key = "copy-camera",
+        .menu = "Edit",
+        .label = "Copy camera",
+        .shortcut = "Ctrl+Shift+C",
+        .icon = "camera",
+        .help = "Puts the camera on the clipboard as text for --camera."},
+    {.action = Action::PasteCamera,
+        .key = "paste-camera",
+        .menu = "Edit",
+        .label = "Paste camera",
+        .shortcut = "Ctrl+Shift+V",
+        .icon = "paste",
+        .help = "Takes the camera from text on the clipboard."},
 
-    {"wireframe", "View", "Wireframe", "Z", "wireframe", true, true, "Draws the edges of the triangles over the picture."},
-    {"two-panes", "View", "Compare two techniques", "C", "two-panes", true, false,
-        "Two linked pictures side by side, each with its own technique."},
-    {"frame", "View", "Frame all", "F", "frame", false, true, "Brings the whole mesh into view from the same side."},
-    {"reset-camera", "View", "Reset camera", "Home", "home", false, false, "Brings the camera back to where it began."},
-    {"light-theme", "View", "Light theme", "", "theme", true, true, "Bright surroundings instead of dark ones."},
-    {"panels", "View", "Panels", "F9", "panels", true, false, "Shows or hides the panels beside the picture."},
+    {.action = Action::Wireframe,
+        .key = "wireframe",
+        .menu = "View",
+        .label = "Wireframe",
+        .shortcut = "Z",
+        .icon = "wireframe",
+        .toggles = true,
+        .startsGroup = true,
+        .help = "Draws the edges of the triangles over the picture."},
+    {.action = Action::TwoPanes,
+        .key = "two-panes",
+        .menu = "View",
+        .label = "Compare two techniques",
+        .shortcut = "C",
+        .icon = "two-panes",
+        .toggles = true,
+        .help = "Two linked pictures side by side, each with its own technique."},
+    {.action = Action::Frame,
+        .key = "frame",
+        .menu = "View",
+        .label = "Frame all",
+        .shortcut = "F",
+        .icon = "frame",
+        .startsGroup = true,
+        .help = "Brings the whole mesh into view from the same side."},
+    {.action = Action::ResetCamera,
+        .key = "reset-camera",
+        .menu = "View",
+        .label = "Reset camera",
+        .shortcut = "Home",
+        .icon = "home",
+        .help = "Brings the camera back to where it began."},
+    {.action = Action::LightTheme,
+        .key = "light-theme",
+        .menu = "View",
+        .label = "Light theme",
+        .icon = "theme",
+        .toggles = true,
+        .startsGroup = true,
+        .help = "Bright surroundings instead of dark ones."},
+    {.action = Action::Panels,
+        .key = "panels",
+        .menu = "View",
+        .label = "Panels",
+        .shortcut = "F9",
+        .icon = "panels",
+        .toggles = true,
+        .help = "Shows or hides the panels beside the picture."},
 
-    {"shortcuts", "Help", "Mouse and keys", "F1", "keyboard", false, false, "Lists what the mouse and the keys do."},
-    {"about", "Help", "About Relievo", "", "info", false, false, "Version and licence."},
+    {.action = Action::Shortcuts,
+        .key = "shortcuts",
+        .menu = "Help",
+        .label = "Mouse and keys",
+        .shortcut = "F1",
+        .icon = "keyboard",
+        .help = "Lists what the mouse and the keys do."},
+    {.action = Action::About, .key = "about", .menu = "Help", .label = "About Relievo", .icon = "info", .help = "Version and licence."},
 });
 
 constexpr const ActionRow* findAction(std::string_view key) // nullptr when unknown
@@ -60,6 +205,8 @@ constexpr const ActionRow* findAction(std::string_view key) // nullptr when unkn
 consteval bool actionsAreSound()
 {
     for (std::size_t i = 0; i < kActions.size(); ++i) {
+        if (kActions[i].action != Action(i))
+            return false;
         for (std::size_t j = 0; j < i; ++j)
             if (kActions[j].key == kActions[i].key || (!kActions[i].shortcut.empty() && kActions[j].shortcut == kActions[i].shortcut))
                 return false;
@@ -68,6 +215,7 @@ consteval bool actionsAreSound()
     }
     return true;
 }
-static_assert(actionsAreSound(), "a key or shortcut twice, or a row without menu, label or help");
+static_assert(actionsAreSound(), "a row out of order, a key or shortcut twice, or a row without menu, label or help");
+static_assert(kActions.size() == std::size_t(Action::About) + 1, "an action without row");
 
 } // namespace relievo

@@ -1,36 +1,38 @@
-// What the main window copies and pastes: the picture, and the camera as text.
+// Copying and pasting.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/main_window.h"
+#include "app/window/clipboard.h"
+#include "app/window/document/document.h"
+#include "app/window/document/messages.h"
 #include "app/window/viewport/viewport.h"
 #include <QApplication>
 #include <QClipboard>
 
 namespace relievo {
 
-void MainWindow::copyPicture()
+void copyPicture(Viewport& viewport, Messages& messages)
 {
-    const QImage picture = m_viewport->picture();
+    const QImage picture = viewport.picture();
     if (picture.isNull())
-        return m_messages.set(
-            "copy", Error{"one of the pictures cannot be drawn now", tr("Copy picture").toStdString(), "Nothing was copied"});
-    m_messages.clear("copy");
+        return messages.set(
+            "copy", Error{"one of the pictures cannot be drawn now", QObject::tr("Copy picture").toStdString(), "Nothing was copied"});
+    messages.clear("copy");
     QApplication::clipboard()->setImage(picture);
 }
 
-void MainWindow::copyCamera()
+void copyCamera(const Document& document)
 {
-    QApplication::clipboard()->setText(QString::fromStdString(toText(m_document.state().camera)));
+    QApplication::clipboard()->setText(QString::fromStdString(toText(document.state().camera)));
 }
 
-void MainWindow::pasteCamera()
+void pasteCamera(Document& document, Messages& messages)
 {
     const std::string text = QApplication::clipboard()->text().trimmed().toStdString();
-    Camera camera = m_document.state().camera;
+    Camera camera = document.state().camera;
     if (const auto read = setCamera(camera, text); !read)
-        return m_messages.set("camera", read.error());
-    m_messages.clear("camera");
-    m_document.edit({}, [&](State& state) { state.camera = camera; });
+        return messages.set("camera", read.error());
+    messages.clear("camera");
+    document.edit({}, [&](State& state) { state.camera = camera; });
 }
 
 } // namespace relievo

@@ -4,11 +4,8 @@
 #pragma once
 #include "app/window/document/assets.h"
 #include "app/window/document/editing.h"
-#include "app/window/menus.h"
+#include "app/window/top_bar.h"
 #include <QMainWindow>
-
-class QComboBox;
-class QSplitter;
 
 namespace relievo {
 
@@ -17,6 +14,7 @@ class ExportDialog;
 class Files;
 class MapPanel;
 class MessageLine;
+class Page;
 class ParameterPanel;
 class TechniqueBar;
 class Viewport;
@@ -35,9 +33,9 @@ public:
     AnimationBar& animation() { return *m_animation; }
     MapPanel& maps() { return *m_maps; }
     ParameterPanel& parameters() { return *m_parameters; }
-    TechniqueBar& techniques() { return *m_techniques; }
+    TechniqueBar& techniques() { return m_top->techniques(); }
     MessageLine& messageLine() { return *m_line; }
-    QAction* action(const QString& key) const { return m_actions.value(key); } // of kActions
+    QAction* action(std::string_view key) const { return m_top->action(findAction(key)->action); } // of kActions
 
     void setTechnique(std::string_view key); // of the active pane
     void setView(std::string_view key);
@@ -49,20 +47,14 @@ protected:
     void dropEvent(QDropEvent*) override;
 
 private:
-    Handlers handlers();
-    QWidget* makeTopBar();
-    void addTableMenus();
-    void addKeys();
+    void run(Action action, bool on);
     void connectAll();
     void documentChanged(Changes what);
     void updateTitle();
+    void setWireframe(bool on);
+    void showSecondPane(bool on);
     void showPanels(bool on);
     void showExport();
-    void copyPicture();
-    void copyCamera();
-    void pasteCamera();
-    void restoreLayout();
-    void saveLayout() const;
 
     Document m_document;
     Messages m_messages;
@@ -72,12 +64,10 @@ private:
     AnimationBar* m_animation;
     MapPanel* m_maps;
     ParameterPanel* m_parameters;
-    TechniqueBar* m_techniques;
-    QComboBox* m_view;
     MessageLine* m_line;
-    QSplitter* m_splitter;
+    TopBar* m_top;
+    Page* m_page;
     ExportDialog* m_export = nullptr;
-    Actions m_actions;
     SecondPane m_second;
     bool m_closing = false; // the question has been answered
 };

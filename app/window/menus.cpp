@@ -46,7 +46,7 @@ QMenu* menuOf(QMenuBar* bar, std::string_view title)
     return nullptr;
 }
 
-Actions makeActions(QWidget* window, QMenuBar* bar, const Handlers& handlers)
+Actions makeActions(QWidget* window, QMenuBar* bar, const std::function<void(Action, bool on)>& run)
 {
     Actions actions;
     for (const ActionRow& row : kActions) {
@@ -63,10 +63,9 @@ Actions makeActions(QWidget* window, QMenuBar* bar, const Handlers& handlers)
         if (!row.icon.empty())
             action->setIcon(icon(row.icon));
         action->setIconVisibleInMenu(!row.toggles); // there the tick stands in its place
-        Q_ASSERT(handlers.contains(qt(row.key)));
-        QObject::connect(action, &QAction::triggered, window, handlers.value(qt(row.key)));
+        QObject::connect(action, &QAction::triggered, window, [run, which = row.action](bool on) { run(which, on); });
         menu->addAction(action);
-        actions.insert(qt(row.key), action);
+        actions.all[std::size_t(row.action)] = action;
     }
     return actions;
 }

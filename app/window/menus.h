@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "app/actions.h"
-#include <QMap>
 #include <QString>
+#include <array>
 #include <functional>
 
 class QAction;
@@ -15,12 +15,13 @@ class QWidget;
 
 namespace relievo {
 
-// One handler for each row of kActions; `on` is the new state of a row that toggles.
-using Handlers = QMap<QString, std::function<void(bool on)>>;
-using Actions = QMap<QString, QAction*>;
-
-// The actions of all rows, owned by `window`, in its menus. A row without handler is our mistake (asserted).
-Actions makeActions(QWidget* window, QMenuBar* bar, const Handlers& handlers);
+// The actions of all rows.
+struct Actions {
+    std::array<QAction*, kActions.size()> all{};
+    QAction* operator[](Action action) const { return all[std::size_t(action)]; }
+};
+// Owned by `window`, in the menus of `bar`. run: what a row does when it is triggered; `on` is the new state of a row that toggles.
+Actions makeActions(QWidget* window, QMenuBar* bar, const std::function<void(Action, bool on)>& run);
 QMenu* menuOf(QMenuBar* bar, std::string_view title); // nullptr when there is none
 
 QToolButton* toolButton(QAction* action);

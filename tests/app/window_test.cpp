@@ -34,7 +34,7 @@ TEST_F(WindowTest, GoesCleanlyWithStepsLeft)
 TEST_F(WindowTest, EveryActionHasAnItem)
 {
     for (const ActionRow& row : kActions)
-        EXPECT_NE(window.action(QString::fromStdString(std::string(row.key))), nullptr) << row.key;
+        EXPECT_NE(window.action(row.key), nullptr) << row.key;
 }
 
 TEST_F(WindowTest, OneRowForEachShownParameter)

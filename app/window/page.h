@@ -1,0 +1,31 @@
+// The page of the main window: the picture between its panels, messages below; it remembers where the window was and how it was divided.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QWidget>
+
+class QSplitter;
+
+namespace relievo {
+
+class Page : public QWidget {
+    Q_OBJECT
+public:
+    // What stands left, in the middle, under it, right and along the bottom. Owned by the page.
+    struct Parts {
+        QWidget *maps, *picture, *underPicture, *parameters, *messages;
+    };
+    explicit Page(const Parts& parts, QWidget* parent = nullptr);
+    void showPanels(bool on); // on both sides
+    bool panelsShown() const { return m_panelsShown; }
+    // Between sessions: where the window was, and how the page in it was divided.
+    void restore(QWidget& window);
+    void save(const QWidget& window) const;
+
+private:
+    Parts m_parts;
+    QSplitter* m_splitter;
+    bool m_panelsShown = true;
+};
+
+} // namespace relievo
