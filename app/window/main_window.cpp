@@ -209,7 +209,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
     event->acceptProposedAction();
-    m_files->take(event->mimeData()->urls().front().toLocalFile()); // of several images the first finds its siblings
+    m_files->openDropped(event->mimeData()->urls().front().toLocalFile()); // of several images the first finds its siblings
 }
 
 } // namespace relievo

@@ -28,7 +28,7 @@ Changes differences(const State& a, const State& b)
 
 namespace {
 // What is no change of the work: where the eye is, and at which moment it looks.
-void keepSight(State& state, const State& from)
+void keepCameraAndMoment(State& state, const State& from)
 {
     state.camera = from.camera;
     state.parameters.time = from.parameters.time;
@@ -55,16 +55,16 @@ public:
         if (other->m_gesture != m_gesture || other->text() != text())
             return false;
         m_after = other->m_after;
-        State sameSight = m_after;
-        keepSight(sameSight, m_before);
-        setObsolete(sameSight == m_before);
+        State sameCamera = m_after;
+        keepCameraAndMoment(sameCamera, m_before);
+        setObsolete(sameCamera == m_before);
         return true;
     }
 
 private:
     void show(State state)
     {
-        keepSight(state, m_document.m_state);
+        keepCameraAndMoment(state, m_document.m_state);
         m_document.replace(state);
     }
     Document& m_document;
@@ -82,9 +82,9 @@ void Document::edit(const QString& text, const std::function<void(State&)>& chan
 {
     State after = m_state;
     change(after);
-    State sameSight = after;
-    keepSight(sameSight, m_state);
-    if (sameSight == m_state) {
+    State sameCamera = after;
+    keepCameraAndMoment(sameCamera, m_state);
+    if (sameCamera == m_state) {
         replace(after);
         if (!text.isEmpty() && !inGesture())
             Q_EMIT choseAgain();

@@ -98,7 +98,7 @@ void Files::saveTo(const QString& file, const std::function<void()>& then)
         then();
 }
 
-void Files::take(const QString& dropped)
+void Files::openDropped(const QString& dropped)
 {
     if (isMeshFile(dropped.toStdString()))
         m_assets.propose(tr("Mesh"), [dropped, located = m_assets.locatesMesh(dropped)](State& state) {

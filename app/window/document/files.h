@@ -28,7 +28,7 @@ public:
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
     // A mesh replaces the mesh, a project the document, an image or folder the maps, a preset the numbers.
-    void take(const QString& dropped);
+    void openDropped(const QString& dropped);
 
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);

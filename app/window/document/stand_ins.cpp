@@ -61,12 +61,12 @@ void forgetWhatIsBack(Shown& shown)
     resources.material = std::make_shared<const Material>(std::move(others));
 }
 
-// Loads `name` by open(name), or `instead` when that fails, unless `held` is what was loaded for it already.
+// Loads `name` by open(name), or `instead` when that fails, unless `loaded` is what was loaded for it already.
 template <class Value, class Open>
-Expected<void> load(std::shared_ptr<const Value>& held, std::string& heldName, std::optional<StandIn>& standIn, const std::string& name,
+Expected<void> load(std::shared_ptr<const Value>& loaded, std::string& loadedName, std::optional<StandIn>& standIn, const std::string& name,
     const char* instead, const Open& open)
 {
-    if (held && heldName == name)
+    if (loaded && loadedName == name)
         return {};
     const QDateTime changed = changeOf(name);
     Expected<Value> value = open(name);
@@ -77,8 +77,8 @@ Expected<void> load(std::shared_ptr<const Value>& held, std::string& heldName, s
         value = open(instead);
     if (!value)
         return tl::unexpected(value.error());
-    held = std::make_shared<const Value>(std::move(*value));
-    heldName = name;
+    loaded = std::make_shared<const Value>(std::move(*value));
+    loadedName = name;
     return {};
 }
 
@@ -98,19 +98,19 @@ bool isAbout(const Warning& warning, const std::string& file)
 Expected<Shown> loadWhatIsThere(const State& state, const DecodedImages& images, Shown shown, const Progress& progress)
 {
     forgetWhatIsBack(shown);
-    Resources& held = shown.resources;
-    const bool onlyMaps = held.mesh && held.meshName == state.mesh && held.environment && held.environmentName == state.environment;
-    if (const auto mesh = load(held.mesh, held.meshName, shown.mesh, state.mesh, "plane",
+    Resources& loaded = shown.resources;
+    const bool onlyMaps = loaded.mesh && loaded.meshName == state.mesh && loaded.environment && loaded.environmentName == state.environment;
+    if (const auto mesh = load(loaded.mesh, loaded.meshName, shown.mesh, state.mesh, "plane",
             [&](const std::string& name) { return openMesh(name, progress.part(0.f, 0.2f)); });
         !mesh)
         return tl::unexpected(mesh.error());
-    if (const auto environment = load(held.environment, held.environmentName, shown.environment, state.environment, "studio",
+    if (const auto environment = load(loaded.environment, loaded.environmentName, shown.environment, state.environment, "studio",
             [&](const std::string& name) { return openEnvironment(name, progress.part(0.2f, 0.3f)); });
         !environment)
         return tl::unexpected(environment.error());
     if (state.slots != MapSlots{} && std::ranges::none_of(state.slots, isThere))
-        held.material = movedAway(state.slots);
-    auto resources = loadResources(state, images, held, progress.part(onlyMaps ? 0.f : 0.3f, 1.f));
+        loaded.material = movedAway(state.slots);
+    auto resources = loadResources(state, images, loaded, progress.part(onlyMaps ? 0.f : 0.3f, 1.f));
     if (!resources)
         return tl::unexpected(resources.error());
     shown.resources = std::move(*resources);
@@ -130,9 +130,10 @@ Warnings warningsOf(const Shown& shown)
 
 bool isBack(const Shown& shown)
 {
-    const Resources& held = shown.resources;
-    return isBack(shown.mesh, held.meshName) || isBack(shown.environment, held.environmentName)
-        || (held.material && std::ranges::any_of(held.material->slots, [&](const MapSlot& slot) { return isBack(*held.material, slot); }));
+    const Resources& loaded = shown.resources;
+    return isBack(shown.mesh, loaded.meshName) || isBack(shown.environment, loaded.environmentName)
+        || (loaded.material
+            && std::ranges::any_of(loaded.material->slots, [&](const MapSlot& slot) { return isBack(*loaded.material, slot); }));
 }
 
 } // namespace relievo
