@@ -11,11 +11,11 @@ namespace {
 
 bool isStepCount(const ParameterRow& row)
 {
-    return std::holds_alternative<int Parameters::*>(row.member) && row.options.empty() && row.key != "refineSteps";
+    return kindOf(row) == ValueKind::Whole && row.key != "refineSteps";
 }
 bool isSwitch(const ParameterRow& row)
 {
-    return std::holds_alternative<bool Parameters::*>(row.member);
+    return kindOf(row) == ValueKind::Switch;
 }
 
 std::string withSmallInitial(std::string_view label)
@@ -37,7 +37,7 @@ std::string stepsText(const TechniqueRow& technique, const Parameters& parameter
         }
     if (most == 0)
         return {};
-    const std::string refined = listHas(technique.parameters, "refineSteps") ? '+' + std::to_string(parameters.refineSteps) : "";
+    const std::string refined = technique.parameters.contains(&Parameters::refineSteps) ? '+' + std::to_string(parameters.refineSteps) : "";
     return ' ' + (least < most ? std::to_string(least) + '-' : "") + std::to_string(most) + refined;
 }
 
@@ -133,7 +133,7 @@ Expected<std::vector<const TechniqueRow*>> techniquesNamed(std::span<const std::
     for (const std::string& key : keys) {
         const TechniqueRow* row = findTechnique(key);
         if (!row)
-            return failure(key, "there is no such technique", "relievo describe techniques lists them");
+            return failure(ErrorCode::NotFound, key, "there is no such technique", "relievo describe techniques lists them");
         if (row->file.empty())
             return failure(key, "this technique is what the others are measured against", "Name others");
         if (!std::ranges::count(rows, row))

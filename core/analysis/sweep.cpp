@@ -16,18 +16,18 @@ struct TimedMaps {
     double seconds = 0., bytesPerTexel = 0.;
 };
 
-Expected<SearchMaps> bakedAfresh(const MapRow& row, const Parameters& parameters, const HeightField& heights, const Progress& progress)
+Expected<SearchMaps> bakedAfresh(const BakedMapRow& row, const Parameters& parameters, const HeightField& heights, const Progress& progress)
 {
     const auto baked = bakeMap(row, heights, parameters, progress);
     if (!baked)
         return tl::unexpected(baked.error());
-    return SearchMaps{heights, searchTextureOf(row, {std::make_shared<const BakedMap>(storedMap(row, *baked, row.bits))}, heights)};
+    return SearchMaps{heights, accelerationMapOf(row, {std::make_shared<const BakedMap>(storedMap(row, *baked, row.bits))}, heights)};
 }
 
 Expected<TimedMaps> timedMaps(
     const TechniqueRow& technique, const Parameters& parameters, const HeightField& heights, bool fresh, const Progress& progress)
 {
-    const MapRow* row = technique.bound.empty() ? nullptr : findMap(technique.bound);
+    const BakedMapRow* row = technique.accelerationMap.empty() ? nullptr : findBakedMap(technique.accelerationMap);
     const auto start = std::chrono::steady_clock::now();
     auto maps = fresh && row ? bakedAfresh(*row, parameters, heights, progress) : searchMaps(technique.key, parameters, &heights, progress);
     if (!maps)
@@ -35,20 +35,20 @@ Expected<TimedMaps> timedMaps(
     TimedMaps timed{std::move(*maps)};
     if (row)
         timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (timed.maps.bound)
-        timed.bytesPerTexel += double(timed.maps.bound->bytes()) / double(heights.texels().size());
-    if (listHas(technique.maps, "height"))
+    if (timed.maps.acceleration)
+        timed.bytesPerTexel += double(timed.maps.acceleration->bytes()) / double(heights.texels().size());
+    if (technique.needsHeights())
         timed.bytesPerTexel += heights.storedBits() <= 16 ? 2. : 4.;
     return timed;
 }
 
-// What makes two settings share their maps: the technique's bound map and the parameters that it depends on.
+// What makes two settings share their maps: the technique's acceleration map and the parameters that it depends on.
 std::string mapsKey(const TechniqueRow& technique, const Parameters& parameters)
 {
-    std::string key = std::string(technique.bound) + '/' + std::string(technique.maps);
-    if (const MapRow* row = technique.bound.empty() ? nullptr : findMap(technique.bound))
+    std::string key = std::string(technique.accelerationMap) + (technique.needsHeights() ? "/heights" : "/");
+    if (const BakedMapRow* row = technique.accelerationMap.empty() ? nullptr : findBakedMap(technique.accelerationMap))
         for (const ParameterRow& parameter : kParameters)
-            if (listHas(row->parameters, parameter.key))
+            if (row->parameters.contains(parameter))
                 key += '/' + toText(parameter, get(parameters, parameter));
     return key;
 }

@@ -30,8 +30,8 @@ struct SweepPlan {
 struct SweepRow {
     std::size_t setting, field, band; // indices into the plan
     HitErrors errors;
-    double bakeSeconds; // of the technique's bound map by the clock; 0 when it has none
-    double bytesPerTexel; // height and bound map as they are uploaded, without mip levels of the height
+    double bakeSeconds; // of the technique's acceleration map by the clock; 0 when it has none
+    double bytesPerTexel; // height and acceleration map as they are uploaded, without mip levels of the height
 };
 
 // Rows in the order field, setting, band. Errors: those of searchMaps, cancelled.

@@ -12,7 +12,7 @@ const ExportRow* findExport(std::string_view key)
     return found == kExports.end() ? nullptr : &*found;
 }
 
-Expected<void> sparesSources(const ExportJob& job, const std::filesystem::path& file)
+Expected<void> refuseToOverwriteSources(const ExportJob& job, const std::filesystem::path& file)
 {
     const auto same = [&](const std::string& source) {
         std::error_code code;

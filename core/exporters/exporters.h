@@ -4,7 +4,7 @@
 #pragma once
 #include "core/ground/error.h"
 #include "core/ground/progress.h"
-#include "core/scene/source.h"
+#include "core/scene/resources.h"
 #include <array>
 #include <filesystem>
 #include <string_view>
@@ -33,7 +33,7 @@ struct ExportRow {
 };
 
 // What the material was opened from is never written over: an error when `file` is one of the State's own files.
-Expected<void> sparesSources(const ExportJob& job, const std::filesystem::path& file);
+Expected<void> refuseToOverwriteSources(const ExportJob& job, const std::filesystem::path& file);
 
 Expected<Exported> exportGltf(const ExportJob& job);
 Expected<Exported> exportTextures(const ExportJob& job);

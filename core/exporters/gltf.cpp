@@ -46,7 +46,7 @@ public:
         for (const auto step :
             {&GltfWriter::addColor, &GltfWriter::addPacked, &GltfWriter::addNormal, &GltfWriter::addEmission, &GltfWriter::addRelief}) {
             if (m_job.progress.cancelled())
-                return failure(m_job.out.string(), "cancelled");
+                return cancelled(m_job.out.string());
             if (Expected<void> added = (this->*step)(material); !added)
                 return tl::unexpected(added.error());
         }
@@ -58,7 +58,7 @@ public:
                     {{"baseColorFactor", tinted(kColorWithoutMap)}, {"roughnessFactor", shortest(m_parameters.roughness)},
                         {"metallicFactor", 0.f}}}});
         tellLeftOut();
-        const Json wrap = m_parameters.wrap == 0 ? 10497 : 33071;
+        const Json wrap = m_parameters.wrap == Wrap::Repeat ? 10497 : 33071;
         if (m_document.contains("textures"))
             m_document["samplers"] = Json::array({{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", wrap}, {"wrapT", wrap}}});
         if (!m_extensions.empty())
@@ -251,7 +251,7 @@ private:
     void tellLeftOut()
     {
         Warnings& warnings = m_exported.warnings;
-        if (m_parameters.shading == 1 && m_material.map(MapKind::Specular))
+        if (m_parameters.shading == Shading::BlinnPhong && m_material.map(MapKind::Specular))
             warnings.push_back({"gltf-specular", "glTF shades by metallic and roughness: the specular map is left out."});
         if (const auto& moved = m_job.resources.mesh->deformation; moved && !(moved->clips.empty() && moved->targets.empty()))
             warnings.push_back({"gltf-rest", "The mesh is written at rest, without its animations and targets."});
@@ -300,7 +300,7 @@ private:
         for (int n = 0;; ++n) {
             const std::string infix = n == 0 ? "" : n == 1 ? "_glb" : "_glb" + std::to_string(n);
             const fs::path file = m_job.out.parent_path() / (m_job.out.stem().string() + infix + "_height.png");
-            if (sparesSources(m_job, file))
+            if (refuseToOverwriteSources(m_job, file))
                 return file;
         }
     }
@@ -323,7 +323,7 @@ private:
         put(file, std::uint32_t(m_binary.size()));
         put(file, 0x004E4942u);
         file.insert(file.end(), m_binary.begin(), m_binary.end());
-        if (Expected<void> free = sparesSources(m_job, m_job.out); !free)
+        if (Expected<void> free = refuseToOverwriteSources(m_job, m_job.out); !free)
             return tl::unexpected(free.error());
         NewFiles made;
         made.willMake(m_job.out);

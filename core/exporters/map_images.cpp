@@ -178,7 +178,7 @@ std::optional<Image> normalImage(const Material& material, const Parameters& par
         return *map;
     if (!material.height)
         return std::nullopt;
-    return normalFromHeight(material.height->withWrap(parameters.wrap == 0 ? Wrap::Repeat : Wrap::Clamp), parameters.depth, progress);
+    return normalFromHeight(material.height->withWrap(parameters.wrap), parameters.depth, progress);
 }
 
 float brightest(const Image& image)

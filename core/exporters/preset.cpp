@@ -9,7 +9,7 @@ namespace relievo {
 
 Expected<Exported> exportPreset(const ExportJob& job)
 {
-    if (Expected<void> free = sparesSources(job, job.out); !free)
+    if (Expected<void> free = refuseToOverwriteSources(job, job.out); !free)
         return tl::unexpected(free.error());
     if (Expected<void> written = writeAtomically(job.out, toPresetJson(job.state)); !written)
         return tl::unexpected(written.error());

@@ -14,25 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 using Json = nlohmann::ordered_json;
 
-struct FileRow {
-    MapKind kind;
-    std::string_view suffix; // names that texture set readers find
-    std::string_view convention;
-};
-constexpr FileRow kFiles[] = {
-    {MapKind::Height, "Height", "height"},
-    {MapKind::Color, "Color", "srgb"},
-    {MapKind::Normal, "NormalGL", "gl"},
-    {MapKind::Roughness, "Roughness", "linear"},
-    {MapKind::Gloss, "Glossiness", "linear"},
-    {MapKind::Metallic, "Metallic", "linear"},
-    {MapKind::AmbientOcclusion, "AmbientOcclusion", "linear"},
-    {MapKind::Specular, "Specular", "linear"},
-    {MapKind::Emission, "Emission", "srgb"},
-    {MapKind::Opacity, "Opacity", "linear"},
-};
-static_assert(std::size(kFiles) == kMapKindCount);
-
 std::optional<Image> imageOf(MapKind kind, const ExportJob& job, const Parameters& parameters)
 {
     const Material& material = *job.resources.material;
@@ -58,7 +39,7 @@ Json numbersOf(const ExportJob& job, const Parameters& parameters)
     for (const auto& [key, parameter] : kReliefNumbers)
         numbers[key] = shortest(parameters.*parameter);
     numbers.update({{"metresPerUV", shortest(unit)}, {"tileMetres", shortest(unit / parameters.tiling)},
-        {"offset", {shortest(parameters.offsetU), shortest(parameters.offsetV)}}, {"wrap", parameters.wrap == 0 ? "repeat" : "clamp"},
+        {"offset", {shortest(parameters.offsetU), shortest(parameters.offsetV)}}, {"wrap", wordOf(parameters.wrap)},
         {"technique", job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique}});
     return numbers;
 }
@@ -77,22 +58,22 @@ Expected<Exported> exportTextures(const ExportJob& job)
     Json numbers = numbersOf(job, parameters), maps = Json::array();
     const std::string stem = fileStem(job.state.name);
     std::size_t done = 0;
-    for (const FileRow& file : kFiles) {
+    for (const MapKindRow& kind : kMapKinds) {
         job.progress.at(float(done++) / float(kMapKindCount));
-        const std::optional<Image> image = imageOf(file.kind, job, parameters);
+        const std::optional<Image> image = imageOf(kind.kind, job, parameters);
         if (job.progress.cancelled())
-            return failure(job.out.string(), "cancelled");
+            return cancelled(job.out.string());
         if (!image)
             continue;
-        const fs::path path = job.out / (stem + '_' + std::string(file.suffix) + ".png");
-        if (Expected<void> free = sparesSources(job, path); !free)
+        const fs::path path = job.out / (stem + '_' + std::string(kind.fileName) + ".png");
+        if (Expected<void> free = refuseToOverwriteSources(job, path); !free)
             return tl::unexpected(free.error());
         made.willMake(path);
-        if (Expected<void> written = writeImage(path, *image, row(file.kind).isColor); !written)
+        if (Expected<void> written = writeImage(path, *image, kind.isColor); !written)
             return tl::unexpected(written.error());
         exported.files.push_back(path);
-        maps.push_back({{"kind", row(file.kind).key}, {"file", path.filename().string()}, {"convention", file.convention},
-            {"width", image->width}, {"height", image->height}, {"bits", image->type == PixelType::U8 ? 8 : 16}});
+        maps.push_back({{"kind", kind.key}, {"file", path.filename().string()}, {"convention", kind.convention}, {"width", image->width},
+            {"height", image->height}, {"bits", image->type == PixelType::U8 ? 8 : 16}});
     }
     if (exported.files.empty())
         return failure(job.out.string(), "the material has no maps to write", "Open a texture set first");

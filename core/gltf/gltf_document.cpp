@@ -32,18 +32,18 @@ Expected<std::string_view> jsonTextOf(const std::string& bytes, const std::strin
         return std::string_view(bytes);
     std::uint32_t header[5] = {};
     if (bytes.size() < sizeof header)
-        return failure(where, "the file ends within its header", "Copy or export it again");
+        return failure(ErrorCode::Unreadable, where, "the file ends within its header", "Copy or export it again");
     std::memcpy(header, bytes.data(), sizeof header);
     if (header[1] != 2)
-        return failure(
-            where, "this is a binary glTF of version " + std::to_string(header[1]) + ", only 2 is read", "Convert it to glTF 2.0");
+        return failure(ErrorCode::Unreadable, where, "this is a binary glTF of version " + std::to_string(header[1]) + ", only 2 is read",
+            "Convert it to glTF 2.0");
     const std::uint64_t jsonEnd = sizeof header + std::uint64_t(header[3]);
     std::uint32_t second[2] = {}; // length and kind of what follows the JSON
     const bool hasSecond = jsonEnd + sizeof second <= bytes.size() && jsonEnd < header[2];
     if (hasSecond)
         std::memcpy(second, bytes.data() + jsonEnd, sizeof second);
     if (header[2] > bytes.size() || (jsonEnd != header[2] && jsonEnd + sizeof second + second[0] > header[2]))
-        return failure(where, "the file is shorter than its header says", "Copy or export it again");
+        return failure(ErrorCode::Unreadable, where, "the file is shorter than its header says", "Copy or export it again");
     return std::string_view(bytes).substr(sizeof header, header[3]);
 }
 
@@ -141,22 +141,23 @@ Warnings warningsOf(const Json& document)
 Expected<Json> checkedJson(std::string_view text, const std::string& where)
 {
     if (isTooDeep(text))
-        return failure(where, "its JSON is nested too deeply", kDamaged);
+        return failure(ErrorCode::Unreadable, where, "its JSON is nested too deeply", kDamaged);
     Json document = Json::parse(text, nullptr, false);
     if (document.is_discarded() || !document.is_object())
-        return failure(where, text.empty() ? "the file is empty" : "the file is not valid JSON", kDamaged);
+        return failure(ErrorCode::Unreadable, where, text.empty() ? "the file is empty" : "the file is not valid JSON", kDamaged);
     const auto asset = document.find("asset");
     const bool hasVersion = asset != document.end() && asset->is_object() && asset->contains("version") && (*asset)["version"].is_string();
     const std::string version = hasVersion ? (*asset)["version"].get<std::string>() : "";
     if (!version.starts_with("2."))
-        return failure(where,
+        return failure(ErrorCode::Unreadable, where,
             version.empty() ? "the file does not say which version of glTF it is"
                             : "this is glTF " + version.substr(0, 16) + ", only 2.0 is read",
             "Convert it to glTF 2.0");
     if (const auto required = document.find("extensionsRequired"); required != document.end() && required->is_array())
         for (const Json& name : *required)
             if (name.is_string() && !canIgnore(name.get_ref<const std::string&>()))
-                return failure(where, "the file needs the extension " + name.get<std::string>() + ", which is not read",
+                return failure(ErrorCode::Unreadable, where,
+                    "the file needs the extension " + name.get<std::string>() + ", which is not read",
                     "Export it without compression or extensions");
     return document;
 }
@@ -215,9 +216,10 @@ Expected<void> mendBuffers(Json& document, const std::filesystem::path& file)
         else if (const auto found = findPicture({absolutePath(file).parent_path()}, percentDecoded(uri)))
             uri = percentEncoded(found->string());
         else if (uri.starts_with("data:"))
-            return failure(file.string(), "the data of a buffer are not written in base64", "Export it again");
+            return failure(ErrorCode::Unreadable, file.string(), "the data of a buffer are not written in base64", "Export it again");
         else if (!uri.empty())
-            return failure(file.string(), "its buffer file " + shownName(uri) + " is not there", "Put its buffer file beside it");
+            return failure(
+                ErrorCode::NotFound, file.string(), "its buffer file " + shownName(uri) + " is not there", "Put its buffer file beside it");
     }
     return {};
 }
@@ -282,10 +284,10 @@ Expected<tinygltf::Model> loadModel(const std::string& bytes, const std::filesys
                 &model, &errors, &warnings, reinterpret_cast<const unsigned char*>(bytes.data()), unsigned(bytes.size()), "")
             : loader.LoadASCIIFromString(&model, &errors, &warnings, bytes.data(), unsigned(bytes.size()), "");
         if (!done)
-            return failure(file.string(), clauseOf(errors), kDamaged);
+            return failure(ErrorCode::Unreadable, file.string(), clauseOf(errors), kDamaged);
         return model;
     } catch (const std::exception& problem) {
-        return failure(file.string(), clauseOf(problem.what()), kDamaged);
+        return failure(ErrorCode::Unreadable, file.string(), clauseOf(problem.what()), kDamaged);
     }
 }
 
@@ -356,8 +358,8 @@ Expected<GltfDocument> loadGltf(const std::filesystem::path& file)
     if (!model) {
         for (const char* compression : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
             if (prepared->bytes.find(compression) != std::string::npos)
-                return failure(file.string(), std::string("its triangles are compressed by ") + compression + ", which is not read",
-                    "Export it without compression");
+                return failure(ErrorCode::Unreadable, file.string(),
+                    std::string("its triangles are compressed by ") + compression + ", which is not read", "Export it without compression");
         return tl::unexpected(model.error());
     }
     model->images = std::move(prepared->images);
@@ -372,20 +374,20 @@ Expected<std::vector<std::byte>> loadGltfPicture(const std::filesystem::path& fi
     const tinygltf::Model& model = document->model;
     const std::string name = "the picture " + std::to_string(picture);
     if (picture < 0 || std::size_t(picture) >= model.images.size())
-        return failure(file.string(), name + " is not in the file", "Open the mesh again");
+        return failure(ErrorCode::NotFound, file.string(), name + " is not in the file", "Open the mesh again");
     const tinygltf::Image& image = model.images[std::size_t(picture)];
     if (!holdsPicture(model, image))
-        return failure(file.string(), name + " is not inside the file", "Open the picture itself");
+        return failure(ErrorCode::Unreadable, file.string(), name + " is not inside the file", "Open the picture itself");
     if (image.bufferView >= 0 && std::size_t(image.bufferView) < model.bufferViews.size()) {
         std::optional<std::vector<std::byte>> bytes = bytesOf(model, model.bufferViews[std::size_t(image.bufferView)]);
         if (!bytes)
-            return failure(file.string(), name + " reaches beyond its buffer", kDamaged);
+            return failure(ErrorCode::Unreadable, file.string(), name + " reaches beyond its buffer", kDamaged);
         return std::move(*bytes);
     }
     std::vector<unsigned char> decoded;
     std::string type;
     if (!tinygltf::DecodeDataURI(&decoded, type, *octetsOf(image.uri), 0, false))
-        return failure(file.string(), name + " is empty", kDamaged);
+        return failure(ErrorCode::Unreadable, file.string(), name + " is empty", kDamaged);
     const auto* from = reinterpret_cast<const std::byte*>(decoded.data());
     return std::vector<std::byte>(from, from + decoded.size());
 }

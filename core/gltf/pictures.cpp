@@ -90,7 +90,7 @@ Expected<std::vector<std::byte>> readEmbeddedPicture(const fs::path& name)
 {
     const std::optional<Embedded> embedded = embeddedOf(name);
     if (!embedded)
-        return failure(name.string(), "this does not name a picture inside a glTF file");
+        return failure(ErrorCode::Unreadable, name.string(), "this does not name a picture inside a glTF file");
     return loadGltfPicture(embedded->file, embedded->picture);
 }
 

@@ -18,14 +18,15 @@ template <class Container> Expected<Container> readWhole(const fs::path& file, s
     std::error_code code;
     const fs::file_status status = fs::status(file, code);
     if (!fs::exists(status))
-        return failure(file.string(), "there is no such file", "Check the path");
+        return failure(ErrorCode::NotFound, file.string(), "there is no such file", "Check the path");
     if (fs::is_directory(status))
         return failure(file.string(), "this is a folder, not a file", "Name a file in it");
     if (!fs::is_regular_file(status))
         return failure(file.string(), "this is a pipe or a device, not a file", "Save its content to a file first");
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in)
-        return failure(file.string(), std::string("the file cannot be read (") + std::strerror(errno) + ")", "Check its permissions");
+        return failure(ErrorCode::Unreadable, file.string(), std::string("the file cannot be read (") + std::strerror(errno) + ")",
+            "Check its permissions");
     const auto size = in.tellg();
     if (size < 0 || std::size_t(size) > limit)
         return failure(file.string(), "the file is too large", "The limit is " + std::to_string(limit >> 20) + " MiB");
@@ -34,7 +35,7 @@ template <class Container> Expected<Container> readWhole(const fs::path& file, s
     in.seekg(0);
     in.read(reinterpret_cast<char*>(content.data()), size);
     if (in.gcount() != size)
-        return failure(file.string(), "the file could not be read to its end", "Check the disk");
+        return failure(ErrorCode::Unreadable, file.string(), "the file could not be read to its end", "Check the disk");
     return content;
 }
 
@@ -54,10 +55,12 @@ struct Temporary {
 tl::unexpected<Error> writeFailure(const fs::path& file)
 {
     const int code = errno;
-    const char* hint = code == ENOSPC || code == EDQUOT ? "Free some space or choose another disk"
-        : code == ENOENT                                ? "Create the folder first"
-                                                        : "Choose a folder that you may write to";
-    return failure(file.string(), std::string("the file cannot be written (") + std::strerror(code) + ")", hint);
+    const bool isFull = code == ENOSPC || code == EDQUOT;
+    const char* hint = isFull ? "Free some space or choose another disk"
+        : code == ENOENT      ? "Create the folder first"
+                              : "Choose a folder that you may write to";
+    return failure(isFull ? ErrorCode::NoSpace : ErrorCode::NotWritable, file.string(),
+        std::string("the file cannot be written (") + std::strerror(code) + ")", hint);
 }
 
 bool writeAll(int handle, std::span<const std::byte> bytes)

@@ -229,7 +229,7 @@ Expected<Environment> openEnvironment(const std::string& nameOrFile, const Progr
     if (read->image.width < 1 || read->image.height < 1 || read->image.channels < 1)
         return failure(nameOrFile, "the picture is empty", "Choose another environment");
     if (progress.cancelled())
-        return failure(nameOrFile, "cancelled");
+        return cancelled(nameOrFile);
     return prefiltered(file.stem().string(), resampled(read->image));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/state/choices.h"
 #include <cmath>
 #include <cstddef>
 #include <glm/vec2.hpp>
@@ -10,8 +11,6 @@
 #include <vector>
 
 namespace relievo {
-
-enum class Wrap { Repeat, Clamp };
 
 // Index i brought into [0, size) by the wrap mode; any i, size >= 1.
 inline int wrapIndex(int i, int size, Wrap wrap)

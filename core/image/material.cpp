@@ -94,7 +94,7 @@ private:
     void loadOne(const std::string& name, std::mutex& mutex, std::size_t& ready, std::size_t count)
     {
         std::shared_ptr<const Sample> sample;
-        Expected<ImageRead> read = failure(name, "cancelled");
+        Expected<ImageRead> read = cancelled(name);
         if (m_progress.cancelled()) {
         } else if (name.starts_with(kSamplePrefix))
             sample = makeSample(name, read);
@@ -119,7 +119,7 @@ private:
         if (const HardCaseRow* hard
             = parsed && parsed->key.starts_with(kHardPrefix) ? findHardCase(parsed->key.substr(kHardPrefix.size())) : nullptr)
             return std::make_shared<const Sample>(hardCaseSample(*hard, parsed->size));
-        trouble = failure(name, "there is no such built-in sample", "Choose one from the list of samples");
+        trouble = failure(ErrorCode::NotFound, name, "there is no such built-in sample", "Choose one from the list of samples");
         return nullptr;
     }
 
@@ -242,7 +242,7 @@ Expected<Material> loadMaterial(const MapSlots& slots, const DecodedImages& deco
     Sources sources(decoded, progress);
     sources.load(loader.filesToLoad());
     if (progress.cancelled())
-        return failure("", "cancelled");
+        return cancelled("");
     loader.convertAll(sources);
     progress.at(1.f);
     return loader.finish();

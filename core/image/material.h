@@ -13,8 +13,6 @@
 
 namespace relievo {
 
-inline constexpr float kColorWithoutMap = 0.4f; // linear, each channel: what is shown where a material has no colour map
-
 // Immutable. A map that the slots do not name is absent: nothing is made up here.
 struct Material {
     std::optional<HeightField> height; // 1 = top, already flipped when the slot says invert; wrap repeat
@@ -30,7 +28,7 @@ struct Material {
 // Loads every non-empty slot. A slot whose file is missing or broken becomes a warning and stays empty ("map-missing", "map-broken"),
 // the rest is kept; it is an error only when nothing at all could be read. `decoded` (from openTextureSet) spares a second decode.
 // `previous`: maps whose slot did not change are taken over from it. "sample:KEY[@SIZE]" is made by formula (samples.h).
-// Cancelled: error with what == "cancelled".
+// Cancelled: an error of that code.
 Expected<Material> loadMaterial(
     const MapSlots& slots, const DecodedImages& decoded = {}, const Material* previous = nullptr, const Progress& progress = {});
 

@@ -137,13 +137,13 @@ std::size_t packedSize(const std::string& key, const BakedMap& map)
 
 } // namespace
 
-std::string mapKey(const MapRow& row, const HeightField& field, const Parameters& parameters)
+std::string mapKey(const BakedMapRow& row, const HeightField& field, const Parameters& parameters)
 {
     std::string key = std::string(row.key) + " version " + std::to_string(row.version) + " bits " + std::to_string(row.bits) + " size "
         + std::to_string(field.width()) + 'x' + std::to_string(field.height()) + (field.wrap() == Wrap::Repeat ? " repeat " : " clamp ")
         + hexHash(std::as_bytes(field.texels()));
     for (const ParameterRow& parameter : kParameters)
-        if (listHas(row.parameters, parameter.key))
+        if (row.parameters.contains(parameter))
             key += ' ' + std::string(parameter.key) + '=' + toText(parameter, get(parameters, parameter));
     return key;
 }

@@ -16,11 +16,11 @@
 
 namespace relievo {
 
-struct MapRow;
+struct BakedMapRow;
 
 // Everything that a stored map depends on, as text: row, its version and bits, size, wrap, a 128-bit hash of the heights (xxHash) and
 // the parameters that the row names. About 1 ms for 1024 x 1024.
-std::string mapKey(const MapRow& row, const HeightField& field, const Parameters& parameters);
+std::string mapKey(const BakedMapRow& row, const HeightField& field, const Parameters& parameters);
 
 // In memory: the maps used last, at most 16 and kMemoryBytes. Safe from any thread.
 inline constexpr std::size_t kMemoryMaps = 16, kMemoryBytes = std::size_t(512) << 20;

@@ -17,25 +17,25 @@ BakedMap bakeNormal(const HeightField& field, const Parameters& parameters, cons
     return oneLevel(normalsOf(field, parameters.depth * parameters.normalStrength, progress));
 }
 
-const MapRow* findMap(std::string_view key)
+const BakedMapRow* findBakedMap(std::string_view key)
 {
-    const auto found = std::ranges::find(kMaps, key, &MapRow::key);
-    return found == kMaps.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(kBakedMaps, key, &BakedMapRow::key);
+    return found == kBakedMaps.end() ? nullptr : &*found;
 }
 
 namespace {
-template <class Bake> Expected<BakedMap> baked(const MapRow& row, const Progress& progress, Bake bake)
+template <class Bake> Expected<BakedMap> baked(const BakedMapRow& row, const Progress& progress, Bake bake)
 {
     return withinMemory(row.key, [&]() -> Expected<BakedMap> {
         BakedMap map = bake();
         if (progress.cancelled())
-            return failure(std::string(row.key), "cancelled");
+            return cancelled(std::string(row.key));
         return map;
     });
 }
 
 // Stored in row.bits. The floats end here, so that they take no memory while the result is packed for the disk.
-Expected<BakedMap> bakedInBits(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+Expected<BakedMap> bakedInBits(const BakedMapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
     const auto made = bakeMap(row, field, parameters, progress);
     if (!made)
@@ -44,14 +44,15 @@ Expected<BakedMap> bakedInBits(const MapRow& row, const HeightField& field, cons
 }
 } // namespace
 
-Expected<BakedMap> bakeMap(const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+Expected<BakedMap> bakeMap(const BakedMapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
     if (!row.bake)
         return failure(std::string(row.key), "this map is made from a normal map, not from a height map", "Add a normal map");
     return baked(row, progress, [&] { return row.bake(field, parameters, progress); });
 }
 
-Expected<BakedMap> bakeMapFromNormals(const MapRow& row, const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress)
+Expected<BakedMap> bakeMapFromNormals(
+    const BakedMapRow& row, const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress)
 {
     if (!row.bakeFromNormals)
         return failure(std::string(row.key), "this map is made from a height map, not from a normal map", "Add a height map");
@@ -59,7 +60,7 @@ Expected<BakedMap> bakeMapFromNormals(const MapRow& row, const Image& normals, W
 }
 
 Expected<std::shared_ptr<const BakedMap>> cachedMap(
-    const MapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
+    const BakedMapRow& row, const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
     return withinMemory(row.key, [&]() -> Expected<std::shared_ptr<const BakedMap>> {
         const std::string key = mapKey(row, field, parameters);

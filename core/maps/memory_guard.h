@@ -15,7 +15,7 @@ template <class Work> auto withinMemory(std::string_view map, Work work) -> decl
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        return failure(std::string(map), "there is not enough memory to bake this map", "Use a smaller height map");
+        return failure(ErrorCode::NoMemory, std::string(map), "there is not enough memory to bake this map", "Use a smaller height map");
     }
 }
 

@@ -109,7 +109,7 @@ Image storedLevel(const Image& level, const std::array<ChannelRule, 4>& rules, g
 
 } // namespace
 
-BakedMap storedMap(const MapRow& row, const BakedMap& map, int bits, const Progress& progress)
+BakedMap storedMap(const BakedMapRow& row, const BakedMap& map, int bits, const Progress& progress)
 {
     if (row.form == MapForm::Codes)
         return map;

@@ -94,8 +94,8 @@ bool takeReliefJson(const fs::path& folder, State& state, Warnings& warnings)
         takeNumber(state, "offsetU", (*offset)[0].get<double>());
         takeNumber(state, "offsetV", (*offset)[1].get<double>());
     }
-    if (const std::string wrap = textOf(numbers, "wrap"); wrap == "repeat" || wrap == "clamp")
-        state.parameters.wrap = wrap == "clamp" ? 1 : 0;
+    if (const auto wrap = choiceOf<Wrap>(textOf(numbers, "wrap")))
+        state.parameters.wrap = *wrap;
     takeTechnique(state, textOf(numbers, "technique"));
     bool turned = false;
     if (const auto maps = numbers.find("maps"); maps != numbers.end() && maps->is_array())

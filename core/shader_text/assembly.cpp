@@ -42,7 +42,7 @@ ShaderReader embeddedReader()
         const auto& files = embeddedShaders();
         const auto found = std::ranges::find(files, name, &ShaderFile::name);
         if (found == files.end())
-            return failure("shaders/" + std::string(name), "there is no such shader file", "Check the #include line");
+            return failure(ErrorCode::NotFound, "shaders/" + std::string(name), "there is no such shader file", "Check the #include line");
         return std::string(found->text);
     };
 }

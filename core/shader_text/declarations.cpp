@@ -1,7 +1,7 @@
 // What a shader text mentions, and the uniforms and samplers that it therefore has to declare.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/maps/acceleration/search_texture.h"
+#include "core/maps/acceleration/acceleration_map.h"
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/scene_uniforms.h"
 #include <cctype>
@@ -17,7 +17,7 @@ bool isWordCharacter(char c)
 constexpr std::string_view typeName(const Member& member)
 {
     constexpr std::array<std::string_view, 4> names = {"float", "int", "bool", "vec3"};
-    return names[member.index()];
+    return member.index() < names.size() ? names[member.index()] : "int"; // of a choice
 }
 constexpr std::string_view typeName(const SceneMember& member)
 {

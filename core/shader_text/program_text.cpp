@@ -12,23 +12,6 @@ namespace relievo {
 
 namespace {
 
-// What a map gives where the material has none.
-std::string constantOf(MapKind kind)
-{
-    switch (kind) {
-    case MapKind::Color:
-        return "vec3(" + std::to_string(kColorWithoutMap) + "f)";
-    case MapKind::Metallic:
-        return "0.0f";
-    case MapKind::Emission:
-        return "vec3(0.0f)";
-    case MapKind::Specular:
-        return "vec3(1.0f)";
-    default:
-        return "1.0f";
-    }
-}
-
 // "vec3 colorAt(vec2 uv, float footprint)": the map at an explicit mip level, or a constant.
 std::string mapFunction(const MapKindRow& row, bool present, bool gloss)
 {
@@ -36,12 +19,12 @@ std::string mapFunction(const MapKindRow& row, bool present, bool gloss)
     const std::string map = gloss ? "glossMap" : std::string(row.key) + "Map";
     std::string text = std::string(scalar ? "float " : "vec3 ") + std::string(row.key) + "At(vec2 uv, float footprint) { return ";
     if (!present)
-        return text + constantOf(row.kind) + "; }\n";
+        return text + std::string(row.withoutMap) + "; }\n";
     const std::string fetch = "textureLod(" + map + ", uv, max(0.0f, footprint + " + map + "Levels))" + (scalar ? ".r" : ".rgb");
     return text + (gloss ? "1.0f - " + fetch : fetch) + "; }\n";
 }
 
-std::string mapFunctions(const std::set<MapKind>& maps, std::string_view text)
+std::string mapFunctions(EnumSet<MapKind> maps, std::string_view text)
 {
     std::string functions;
     for (const MapKindRow& row : kMapKinds) {
@@ -52,35 +35,27 @@ std::string mapFunctions(const std::set<MapKind>& maps, std::string_view text)
     return functions;
 }
 
-std::string_view normalsFile(const std::set<MapKind>& maps)
+std::string_view normalsFile(EnumSet<MapKind> maps)
 {
     return maps.contains(MapKind::Normal) ? "surface/normals_from_map.glsl"
         : maps.contains(MapKind::Height)  ? "surface/normals_from_height.glsl"
                                           : "surface/normals_none.glsl";
 }
 
-constexpr std::string_view kShadingFiles[] = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"};
-
-constexpr std::string_view kFrameFiles[] = {"surface/frame_vertex.glsl", "surface/frame_derivatives.glsl", "surface/frame_thesis.glsl"};
-
-bool isAgainstExact(std::string_view view)
+// The files that parameters choose, of those that stand in one place.
+void variantFiles(Assembly& part, const ProgramFeatures& features, ShaderPlace place)
 {
-    const ViewRow* row = findView(view);
-    return row && row->isAgainstExact;
+    for (std::size_t i = 0; i < kParameters.size(); ++i)
+        if (const ShaderChoice& shader = kParameters[i].shader; shader.place == place && !shader.files.front().empty())
+            part.file(shader.files[features.variants[i]]);
 }
 
-// Whether a view computes light.
-bool isLit(std::string_view view)
+// What the technique reads its acceleration map by.
+void accelerationFiles(Assembly& part, const TechniqueRow& technique, std::string_view filtered, std::string_view volume)
 {
-    return view == "shaded" || view == "invalid";
-}
-
-// What the technique reads its bound map by.
-void boundFiles(Assembly& part, const TechniqueRow& technique, std::string_view filtered, std::string_view volume)
-{
-    if (technique.bound.empty())
+    if (technique.accelerationMap.empty())
         return;
-    const MapForm form = findMap(technique.bound)->form;
+    const MapForm form = findBakedMap(technique.accelerationMap)->form;
     if (form == MapForm::Pyramid || form == MapForm::Codes)
         part.file("bounds/bounds_texels.glsl");
     else
@@ -88,18 +63,18 @@ void boundFiles(Assembly& part, const TechniqueRow& technique, std::string_view 
 }
 
 // The technique and what it reads the maps by, for pictures.
-void searchFiles(Assembly& part, const TechniqueRow& technique, const ProgramFeatures& features)
+void searchFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& view, const ProgramFeatures& features)
 {
-    const bool filtered = listHas(technique.maps, "height") && (!technique.isExact || features.coarser); // else no level is chosen by pixel
+    const bool filtered = technique.needsHeights() && (!technique.isExact || features.coarser); // else no level is chosen by pixel
     part.file(filtered ? "heights/heights_filtered.glsl" : "heights/heights_none.glsl");
-    if (technique.isExact || (isAgainstExact(features.view) && !features.onMesh)) {
+    if (technique.isExact || (view.isAgainstExact && !features.onMesh)) {
         if (!filtered)
             part.file("heights/level_base.glsl");
         part.file(features.clamps ? "heights/edges_clamp.glsl" : "heights/edges_repeat.glsl")
             .file("heights/wrapped_texel.glsl")
             .file(features.coarser ? "heights/heights_corners_texels.glsl" : "heights/heights_corners.glsl");
     }
-    boundFiles(part, technique, "bounds/bounds_filtered.glsl", "bounds/volume_filtered.glsl");
+    accelerationFiles(part, technique, "bounds/bounds_filtered.glsl", "bounds/volume_filtered.glsl");
     if (filtered)
         part.file("search/height_on.glsl");
     part.file(technique.file);
@@ -110,13 +85,13 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     const TechniqueRow* technique = findTechnique(features.technique);
     const ViewRow* view = findView(features.view);
     if (!technique || technique->file.empty() || !view)
-        return failure(features.technique + ", " + features.view,
+        return failure(ErrorCode::NotFound, features.technique + ", " + features.view,
             technique && view ? "this technique runs on given rays only" : "there is no such technique or view",
             technique && view ? "Use it in relievo trace" : "relievo describe lists them");
 
     // First the shading texts alone, to know which maps they read; the functions must stand before their use.
     const auto body = [&](Assembly& part) {
-        if (features.technique == "flat")
+        if (!technique->readsNormals)
             part.file("surface/normals_none.glsl");
         else
             part.file(normalsFile(features.maps));
@@ -127,9 +102,11 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         else
             part.file("shadow/shadow_none.glsl");
         part.file(features.objectShadows ? "shadow/shadow_map.glsl" : "shadow/shadow_map_none.glsl");
-        if (isLit(features.view))
-            part.file("shading/environment.glsl").file(kShadingFiles[features.shading]);
-        part.file(features.onMesh ? "views/error_on_mesh.glsl" : view->file);
+        if (view->light == ViewLight::All) {
+            part.file("shading/environment.glsl");
+            variantFiles(part, features, ShaderPlace::Light);
+        }
+        part.file(features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
     };
     Assembly draft(read);
     draft.file("sight/holes_cut.glsl");
@@ -141,18 +118,16 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     Assembly part(read);
     part.file("search/contract.glsl")
         .file(features.curved ? "search/bend_quadric.glsl" : "search/bend_none.glsl")
-        .file("surface/surface.glsl")
-        .file(kFrameFiles[features.frames])
-        .file(features.faded ? "surface/depth_faded.glsl" : "surface/depth_constant.glsl")
-        .generated(mapFunctions(features.maps, drafted->text));
-    searchFiles(part, *technique, features);
+        .file("surface/surface.glsl");
+    variantFiles(part, features, ShaderPlace::Surface);
+    part.generated(mapFunctions(features.maps, drafted->text));
+    searchFiles(part, *technique, *view, features);
     if (features.curved && !features.prisms)
         part.file(features.borders ? "sight/borders_cut.glsl" : "sight/borders_none.glsl");
     part.file(!features.curved    ? "sight/sight_straight.glsl"
                 : features.prisms ? "sight/sight_prisms.glsl"
                                   : "sight/sight_curved.glsl")
-        .file(features.view == "outline" ? "sight/holes_shown.glsl" : "sight/holes_cut.glsl")
-        .file(features.depthOfHit ? "surface/depth_of_hit.glsl" : "surface/depth_of_polygon.glsl");
+        .file(view->showsHoles ? "sight/holes_shown.glsl" : "sight/holes_cut.glsl");
     body(part);
     if (view->isHeat)
         part.file("output/heat.glsl")
@@ -186,22 +161,27 @@ Expected<ProgramText> program(Expected<ShaderText> vertex, Expected<ShaderText> 
 } // namespace
 
 ProgramFeatures programFeatures(
-    const Parameters& parameters, std::string_view technique, std::string_view view, const std::set<MapKind>& maps, bool linear)
+    const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear)
 {
-    ProgramFeatures features{std::string(technique), std::string(view), maps, 0, false, false, linear};
-    const TechniqueRow* row = findTechnique(technique);
-    const bool lit = isLit(view);
-    features.coarser = row && row->isExact && parameters.heightMips;
-    features.clamps = row && (row->isExact || isAgainstExact(view)) && parameters.wrap == 1;
-    features.shading = lit ? parameters.shading : 0;
-    features.softShadows = (lit || view == "shadow") && parameters.shadows && parameters.lightSize > 0.f && row && row->searches;
-    features.frames = parameters.frames;
-    features.curved = parameters.silhouettes != 0 && row && row->searches;
-    features.prisms = features.curved && parameters.silhouettes == 3;
-    features.depthOfHit = parameters.depthOfHit && row && row->displaces;
-    features.objectShadows = parameters.objectShadows && (lit || view == "shadow");
-    features.faded = parameters.edgeFade > 0.f;
-    features.shadows = (lit || view == "shadow") && parameters.shadows && row && row->searches;
+    const bool shadowed = view.light != ViewLight::None;
+    const bool searchedShadows = shadowed && parameters.shadows && technique.searches;
+    const bool curved = parameters.silhouettes != Silhouettes::Off && technique.searches;
+    ProgramFeatures features{.technique = std::string(technique.key),
+        .view = std::string(view.key),
+        .maps = maps,
+        .shadows = searchedShadows,
+        .softShadows = searchedShadows && parameters.lightSize > 0.f,
+        .linear = linear,
+        .coarser = technique.isExact && parameters.heightMips,
+        .curved = curved,
+        .prisms = curved && parameters.silhouettes == Silhouettes::Prisms,
+        .objectShadows = parameters.objectShadows && shadowed,
+        .clamps = (technique.isExact || view.isAgainstExact) && parameters.wrap == Wrap::Clamp};
+    for (const ParameterRow& row : kParameters)
+        if (!row.shader.files.front().empty() && (row.shader.place == ShaderPlace::Surface || view.light == ViewLight::All))
+            features.setVariant(row.member, variantOf(row, get(parameters, row)));
+    if (!technique.displaces)
+        features.setVariant(&Parameters::depthOfHit, 0);
     return features;
 }
 
@@ -233,7 +213,7 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
         return failure(std::string(technique), "this technique does not run on the GPU", "Use --device cpu");
     Assembly fragment(read, dialect);
     fragment.file("search/contract.glsl").file("heights/stored_exact.glsl");
-    if (listHas(row->maps, "height"))
+    if (row->needsHeights())
         fragment.file("heights/level_base.glsl")
             .file("heights/edges_either.glsl")
             .file("heights/wrapped_texel.glsl")
@@ -241,7 +221,7 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
             .file("heights/heights_exact.glsl")
             .file("search/bend_none.glsl")
             .file("search/height_on.glsl");
-    boundFiles(fragment, *row, "bounds/bounds_exact.glsl", "bounds/volume_exact.glsl");
+    accelerationFiles(fragment, *row, "bounds/bounds_exact.glsl", "bounds/volume_exact.glsl");
     return program(Assembly(read, dialect).file("vertex/full_screen_vertex.glsl").finish(),
         fragment.file(row->file).file("search/trace_rays.glsl").finish());
 }

@@ -5,40 +5,44 @@
 #include "core/ground/error.h"
 #include "core/state/map_slots.h"
 #include "core/state/parameters.h"
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace relievo {
 
+struct TechniqueRow;
+struct ViewRow;
+
 // What a program is made of. Equal features give equal text: usable as a cache key.
 struct ProgramFeatures {
     std::string technique = "relief"; // key of kTechniques
     std::string view = "shaded"; // key of kViews
-    std::set<MapKind> maps; // maps that the material has
-    int shading = 0; // the parameter
+    EnumSet<MapKind> maps; // maps that the material has
     bool shadows = false; // self-shadows wanted (a technique that does not search has none)
     bool softShadows = false; // and by a light with a size
     bool linear = false; // Target::linear
     bool coarser = false; // an exact technique reads mip levels
-    int frames = 0; // the parameter
     bool curved = false; // silhouettes
     bool prisms = false; // and by the mesh itself, which the renderer has to provide
     bool borders = false; // of a mesh that has some
-    bool depthOfHit = false; // the parameter
-    bool faded = false; // edgeFade
     bool posed = false; // the mesh deforms
     bool objectShadows = false; // the parameter, where light is computed
-    bool onMesh = false; // the error view has Resources::seen
+    bool onMesh = false; // the error view compares with the displaced mesh (ExactDistances)
     bool clamps = false; // an exact search ends at the tile's borders
+    std::array<std::uint8_t, kParameters.size()> variants = {}; // which of its shader files each parameter chooses (ParameterRow::shader)
     auto operator<=>(const ProgramFeatures&) const = default;
+
+    std::size_t variant(const Member& member) const { return variants[indexOf(member)]; }
+    void setVariant(const Member& member, std::size_t variant) { variants[indexOf(member)] = std::uint8_t(variant); }
 };
 // The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.
 ProgramFeatures programFeatures(
-    const Parameters& parameters, std::string_view technique, std::string_view view, const std::set<MapKind>& maps, bool linear);
+    const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear);
 
 struct ShaderText {
     std::string text;

@@ -12,4 +12,13 @@ std::optional<MapKind> findMapKind(std::string_view key)
     return found == kMapKinds.end() ? std::nullopt : std::optional(found->kind);
 }
 
+std::string keysOf(EnumSet<MapKind> kinds)
+{
+    std::string keys;
+    for (const MapKindRow& row : kMapKinds)
+        if (kinds.contains(row.kind))
+            keys += (keys.empty() ? "" : " ") + std::string(row.key);
+    return keys;
+}
+
 } // namespace relievo

@@ -15,39 +15,81 @@ const ParameterRow* findParameter(std::string_view key)
     return found == kParameters.end() ? nullptr : &*found;
 }
 
-std::string_view option(const ParameterRow& row, int index)
-{
-    std::string_view rest = row.options;
-    for (; index > 0 && !rest.empty(); --index) {
-        const std::size_t space = rest.find(' ');
-        rest = space == rest.npos ? std::string_view() : rest.substr(space + 1);
-    }
-    return index < 0 ? std::string_view() : rest.substr(0, rest.find(' '));
-}
-
-std::optional<int> findOption(const ParameterRow& row, std::string_view name)
+std::optional<int> findOption(const ParameterRow& row, std::string_view word)
 {
     for (int i = 0; i < optionCount(row); ++i)
-        if (option(row, i) == name)
+        if (option(row, i) == word)
             return i;
     return {};
 }
 
+std::string optionList(const ParameterRow& row, char separator)
+{
+    std::string list;
+    for (int i = 0; i < optionCount(row); ++i)
+        list += (i == 0 ? std::string() : std::string(1, separator)) + std::string(option(row, i));
+    return list;
+}
+
+namespace {
+// What a Value holds for a member of type T.
+template <class T> struct Held {
+    using Type = T;
+};
+template <IsChoice T> struct Held<T> {
+    using Type = int;
+};
+} // namespace
+
+bool isOfKind(const ParameterRow& row, const Value& value)
+{
+    return get(Parameters{}, row).index() == value.index();
+}
+
 Value get(const Parameters& parameters, const ParameterRow& row)
 {
-    return std::visit([&](auto member) -> Value { return parameters.*member; }, row.member);
+    return std::visit(
+        [&](auto member) -> Value { return typename Held<MemberType<decltype(member)>>::Type(parameters.*member); }, row.member);
 }
 
 void set(Parameters& parameters, const ParameterRow& row, const Value& value)
 {
-    assert(value.index() == row.member.index());
+    assert(isOfKind(row, value));
     std::visit(
         [&](auto member) {
-            using T = std::remove_cvref_t<decltype(parameters.*member)>;
-            if (const T* same = std::get_if<T>(&value))
-                parameters.*member = *same;
+            using T = MemberType<decltype(member)>;
+            if (const auto* same = std::get_if<typename Held<T>::Type>(&value))
+                parameters.*member = T(*same);
         },
         row.member);
+}
+
+std::size_t variantOf(const ParameterRow& row, const Value& value)
+{
+    if (const int* number = std::get_if<int>(&value))
+        return kindOf(row) == ValueKind::Choice ? std::size_t(*number) : std::size_t(*number > 0);
+    if (const float* number = std::get_if<float>(&value))
+        return *number > 0.f ? 1 : 0;
+    const bool* on = std::get_if<bool>(&value);
+    return on && *on ? 1 : 0;
+}
+
+std::string keysOf(const ParameterSet& set)
+{
+    std::string keys;
+    for (const ParameterRow& row : kParameters)
+        if (set.contains(row))
+            keys += (keys.empty() ? "" : " ") + std::string(row.key);
+    return keys;
+}
+
+Parameters onlyAffecting(Affects what, const Parameters& parameters)
+{
+    Parameters only;
+    for (const ParameterRow& row : kParameters)
+        if (row.affects.contains(what))
+            set(only, row, get(parameters, row));
+    return only;
 }
 
 namespace {
@@ -117,7 +159,7 @@ std::optional<Value> parseBool(std::string_view text)
     return {};
 }
 
-std::optional<Value> parseInt(const ParameterRow& row, std::string_view text)
+std::optional<Value> parseOption(const ParameterRow& row, std::string_view text)
 {
     if (const auto choice = findOption(row, text))
         return *choice;
@@ -129,18 +171,23 @@ std::optional<Value> parseInt(const ParameterRow& row, std::string_view text)
 
 std::optional<Value> parseValue(const ParameterRow& row, std::string_view text)
 {
-    switch (row.member.index()) {
-    case 0:
+    switch (kindOf(row)) {
+    case ValueKind::Number:
         if (const auto number = parseNumber<float>(text))
             return *number;
         return {};
-    case 1:
-        return parseInt(row, text);
-    case 2:
+    case ValueKind::Whole:
+        if (const auto number = parseNumber<int>(text))
+            return *number;
+        return {};
+    case ValueKind::Switch:
         return parseBool(text);
-    default:
+    case ValueKind::Color:
         return parseColor(text);
+    case ValueKind::Choice:
+        return parseOption(row, text);
     }
+    return {};
 }
 
 namespace {
@@ -156,7 +203,7 @@ std::string toText(const ParameterRow& row, const Value& value)
     if (const float* f = std::get_if<float>(&value))
         return numberText(*f);
     if (const int* i = std::get_if<int>(&value))
-        return row.options.empty() ? std::to_string(*i) : std::string(option(row, *i));
+        return kindOf(row) == ValueKind::Choice ? std::string(option(row, *i)) : std::to_string(*i);
     if (const bool* b = std::get_if<bool>(&value))
         return *b ? "true" : "false";
     const glm::vec3 c = std::get<glm::vec3>(value);

@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/ground/choice.h"
+#include "core/state/choices.h"
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -21,7 +24,7 @@ struct Parameters { // the initialisers ARE the defaults
     float offsetV = 0.f;
     float rotation = 0.f;
     float metresPerUV = 0.f;
-    int wrap = 0;
+    Wrap wrap = Wrap::Repeat;
     float normalStrength = 1.f;
     // Search
     int minSteps = 8;
@@ -35,8 +38,8 @@ struct Parameters { // the initialisers ARE the defaults
     bool offsetLimiting = false;
     bool heightMips = true;
     // On the mesh
-    int frames = 0;
-    int silhouettes = 0;
+    Frames frames = Frames::Vertex;
+    Silhouettes silhouettes = Silhouettes::Off;
     bool depthOfHit = false;
     float edgeFade = 0.f;
     int clip = 0;
@@ -49,7 +52,7 @@ struct Parameters { // the initialisers ARE the defaults
     bool objectShadows = false;
     int shadowMapSize = 1024;
     // Shading
-    int shading = 0;
+    Shading shading = Shading::MetallicRoughness;
     glm::vec3 tint{1.f};
     float roughness = 1.f;
     float metallic = 1.f;
@@ -66,155 +69,548 @@ struct Parameters { // the initialisers ARE the defaults
     float environmentYaw = 0.f;
     float exposure = 0.f;
     // View
-    int background = 0;
+    Backdrop background = Backdrop::Plain;
     bool wireframe = false;
     float fetchRange = 40.f;
     float errorRange = 0.05f;
     bool operator==(const Parameters&) const = default;
 };
 
-// The kinds of parameter. A choice is an int whose row lists its options; a vec3 is a linear colour.
-using Member = std::variant<float Parameters::*, int Parameters::*, bool Parameters::*, glm::vec3 Parameters::*>;
+// The kinds of parameter. A vec3 is a linear colour.
+using Member = std::variant<float Parameters::*, int Parameters::*, bool Parameters::*, glm::vec3 Parameters::*, Wrap Parameters::*,
+    Frames Parameters::*, Silhouettes Parameters::*, Shading Parameters::*, Backdrop Parameters::*>;
+
+template <class M> struct MemberTypeOf;
+template <class T> struct MemberTypeOf<T Parameters::*> {
+    using Type = T;
+};
+template <class M> using MemberType = typename MemberTypeOf<M>::Type;
 
 enum class Group { Shape, Search, Mesh, Shadows, Shading, Light, View };
-inline constexpr std::array<std::string_view, 7> kGroupLabels = {"Shape", "Search", "On the mesh", "Shadows", "Shading", "Light", "View"};
+constexpr std::string_view wordOf(Group group)
+{
+    switch (group) {
+    case Group::Shape:
+        return "Shape";
+    case Group::Search:
+        return "Search";
+    case Group::Mesh:
+        return "On the mesh";
+    case Group::Shadows:
+        return "Shadows";
+    case Group::Shading:
+        return "Shading";
+    case Group::Light:
+        return "Light";
+    case Group::View:
+        return "View";
+    }
+    return {};
+}
+
+// What has to be made again when a parameter changes, beside the picture itself, which costs a uniform. Whatever is kept from picture to
+// picture is decided by this alone.
+enum class Affects {
+    ProgramText, // the text of the programs
+    Search, // what a ray at full resolution finds, when the technique lists the parameter
+    ShadowMap, // what the light sees (shadows between objects)
+    ExactAnswer, // where the displaced mesh lies
+    Pose, // how a mesh with animations stands
+};
+
+// Which shader text a parameter chooses, one file for each option (of a switch, or of a number that is 0 or more, off and on), and where it
+// stands in a program: before the search, or where light is computed.
+enum class ShaderPlace { Surface, Light };
+struct ShaderChoice {
+    ShaderPlace place = ShaderPlace::Surface;
+    std::array<std::string_view, 4> files = {}; // under shaders/
+};
+
+// Another parameter's value: a switch, or one of a choice's.
+struct Condition {
+    Member member;
+    int value;
+    template <class T> constexpr Condition(T Parameters::*of, T wanted) : member(of), value(int(wanted)) { }
+};
+// When a row has a line in the panel; it must all hold.
+struct ShownWhen {
+    bool byTechnique = false; // the technique lists it
+    bool inAnimationBar = false; // never there: it stands in a bar of its own
+    std::optional<Condition> when = {};
+};
 
 struct ParameterRow {
     Member member;
     std::string_view key; // JSON key, CLI --set name and GLSL uniform, all three
     std::string_view label;
     Group group;
-    float min, max; // hard limits: loading clamps and warns, the slider stops
-    std::string_view unit; // "" for a plain number
-    // "" always; words that must all hold; "technique": the technique lists it; "animated": the mesh moves, shown in a bar of its own;
-    // "KEY=VALUE": KEY has that value
-    std::string_view shown;
-    std::string_view options; // choices, separated by spaces, in the order of their values; "" for anything else
+    float min = 0.f, max = 1.f; // hard limits: loading clamps and warns, the slider stops
+    std::string_view unit = {}; // "" for a plain number
+    EnumSet<Affects> affects = {};
+    ShaderChoice shader = {}; // none for most
+    ShownWhen shown = {};
+    bool sharedByPanes = false; // the panel sets it for all panes, so that pictures side by side can be compared
     std::string_view help;
 };
 
 inline constexpr auto kParameters = std::to_array<ParameterRow>({
-    {&Parameters::depth, "depth", "Depth", Group::Shape, 0.f, 0.5f, "tile", "", "",
-        "Distance from the surface down to height 0 (black), as a share of one tile's width."},
-    {&Parameters::midlevel, "midlevel", "Midlevel", Group::Shape, 0.f, 1.f, "", "", "",
-        "Height that lies on the mesh. At 1 the relief only goes inward; below 1 the mesh is pushed out by the rest."},
-    {&Parameters::tiling, "tiling", "Tiling", Group::Shape, 0.01f, 1000.f, "tiles/UV", "", "", "Tiles along one unit of UV."},
-    {&Parameters::offsetU, "offsetU", "Offset U", Group::Shape, -10.f, 10.f, "tile", "", "", "Shift of the material along u."},
-    {&Parameters::offsetV, "offsetV", "Offset V", Group::Shape, -10.f, 10.f, "tile", "", "", "Shift of the material along v (downwards)."},
-    {&Parameters::rotation, "rotation", "Rotation", Group::Shape, -180.f, 180.f, "deg", "", "",
-        "Turn of the material on the surface, counter-clockwise."},
-    {&Parameters::metresPerUV, "metresPerUV", "Size of a UV unit", Group::Shape, 0.f, 1000.f, "m", "", "",
-        "Metres along one unit of UV; 0 measures it from the mesh. Depth in metres = depth x this / tiling."},
-    {&Parameters::wrap, "wrap", "Wrap", Group::Shape, 0.f, 1.f, "", "", "repeat clamp",
-        "What lies outside the texture: the tile again, or its border."},
-    {&Parameters::normalStrength, "normalStrength", "Normal strength", Group::Shape, 0.f, 4.f, "x", "", "",
-        "Scales the slopes of the normal map (or of the normals made from height)."},
+    {.member = &Parameters::depth,
+        .key = "depth",
+        .label = "Depth",
+        .group = Group::Shape,
+        .max = 0.5f,
+        .unit = "tile",
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer},
+        .help = "Distance from the surface down to height 0 (black), as a share of one tile's width."},
+    {.member = &Parameters::midlevel,
+        .key = "midlevel",
+        .label = "Midlevel",
+        .group = Group::Shape,
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer},
+        .help = "Height that lies on the mesh. At 1 the relief only goes inward; below 1 the mesh is pushed out by the rest."},
+    {.member = &Parameters::tiling,
+        .key = "tiling",
+        .label = "Tiling",
+        .group = Group::Shape,
+        .min = 0.01f,
+        .max = 1000.f,
+        .unit = "tiles/UV",
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer},
+        .help = "Tiles along one unit of UV."},
+    {.member = &Parameters::offsetU,
+        .key = "offsetU",
+        .label = "Offset U",
+        .group = Group::Shape,
+        .min = -10.f,
+        .max = 10.f,
+        .unit = "tile",
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer},
+        .help = "Shift of the material along u."},
+    {.member = &Parameters::offsetV,
+        .key = "offsetV",
+        .label = "Offset V",
+        .group = Group::Shape,
+        .min = -10.f,
+        .max = 10.f,
+        .unit = "tile",
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer},
+        .help = "Shift of the material along v (downwards)."},
+    {.member = &Parameters::rotation,
+        .key = "rotation",
+        .label = "Rotation",
+        .group = Group::Shape,
+        .min = -180.f,
+        .max = 180.f,
+        .unit = "deg",
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer},
+        .help = "Turn of the material on the surface, counter-clockwise."},
+    {.member = &Parameters::metresPerUV,
+        .key = "metresPerUV",
+        .label = "Size of a UV unit",
+        .group = Group::Shape,
+        .max = 1000.f,
+        .unit = "m",
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer},
+        .help = "Metres along one unit of UV; 0 measures it from the mesh. Depth in metres = depth x this / tiling."},
+    {.member = &Parameters::wrap,
+        .key = "wrap",
+        .label = "Wrap",
+        .group = Group::Shape,
+        .max = kLast<Wrap>,
+        .affects = {Affects::ProgramText, Affects::ShadowMap, Affects::ExactAnswer},
+        .help = "What lies outside the texture: the tile again, or its border."},
+    {.member = &Parameters::normalStrength,
+        .key = "normalStrength",
+        .label = "Normal strength",
+        .group = Group::Shape,
+        .max = 4.f,
+        .unit = "x",
+        .help = "Scales the slopes of the normal map (or of the normals made from height)."},
 
-    {&Parameters::minSteps, "minSteps", "Fewest steps", Group::Search, 1.f, 512.f, "", "technique", "",
-        "Samples of the coarse search when looking straight down."},
-    {&Parameters::maxSteps, "maxSteps", "Most steps", Group::Search, 1.f, 512.f, "", "technique", "",
-        "Samples of the coarse search at grazing views."},
-    {&Parameters::refineSteps, "refineSteps", "Refining steps", Group::Search, 0.f, 16.f, "", "technique", "",
-        "Halvings that follow the coarse hit."},
-    {&Parameters::leapSteps, "leapSteps", "Most leaps", Group::Search, 1.f, 4096.f, "", "technique", "",
-        "Steps from cone to cone (or ball to ball) before the search gives up; few of them stop short at grazing views and darken "
-        "self-shadows."},
-    {&Parameters::doublePrecision, "doublePrecision", "Double precision", Group::Search, 0.f, 1.f, "", "technique", "",
-        "20 linear steps and 5 halvings instead of 10 and 6 (Policarpo 2004)."},
-    {&Parameters::lastBracket, "lastBracket", "Halve last step only", Group::Search, 0.f, 1.f, "", "technique", "",
-        "Off: halves all of the way, as printed in GPU Gems 3. On: only the step that went inside, which finds the right hit more often."},
-    {&Parameters::provenStep, "provenStep", "Proven step", Group::Search, 0.f, 1.f, "", "technique", "",
-        "Measures the ray by |du| + |dv|, which a bilinear surface cannot outrun, instead of by its length as in the paper."},
-    {&Parameters::safeBalls, "safeBalls", "Safe balls", Group::Search, 0.f, 1.f, "", "technique", "",
-        "Makes every ball smaller by half the diagonal of a voxel, by which the paper's interpolated distance may be too long: no "
-        "step leads through the surface, and all end that much above it."},
-    {&Parameters::offsetLimiting, "offsetLimiting", "Offset limiting", Group::Search, 0.f, 1.f, "", "technique", "",
-        "Drops the division by the view's height (Welsh 2004): steadier at grazing views, but too shallow there."},
-    {&Parameters::heightMips, "heightMips", "Coarser far away", Group::Search, 0.f, 1.f, "", "technique", "",
-        "Searches a coarser mip level of the height map where it is minified."},
+    {.member = &Parameters::minSteps,
+        .key = "minSteps",
+        .label = "Fewest steps",
+        .group = Group::Search,
+        .min = 1.f,
+        .max = 512.f,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Samples of the coarse search when looking straight down."},
+    {.member = &Parameters::maxSteps,
+        .key = "maxSteps",
+        .label = "Most steps",
+        .group = Group::Search,
+        .min = 1.f,
+        .max = 512.f,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Samples of the coarse search at grazing views."},
+    {.member = &Parameters::refineSteps,
+        .key = "refineSteps",
+        .label = "Refining steps",
+        .group = Group::Search,
+        .max = 16.f,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Halvings that follow the coarse hit."},
+    {.member = &Parameters::leapSteps,
+        .key = "leapSteps",
+        .label = "Most leaps",
+        .group = Group::Search,
+        .min = 1.f,
+        .max = 4096.f,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Steps from cone to cone (or ball to ball) before the search gives up; few of them stop short at grazing views and darken "
+                "self-shadows."},
+    {.member = &Parameters::doublePrecision,
+        .key = "doublePrecision",
+        .label = "Double precision",
+        .group = Group::Search,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "20 linear steps and 5 halvings instead of 10 and 6 (Policarpo 2004)."},
+    {.member = &Parameters::lastBracket,
+        .key = "lastBracket",
+        .label = "Halve last step only",
+        .group = Group::Search,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Off: halves all of the way, as printed in GPU Gems 3. On: only the step that went inside, which finds the right hit more "
+                "often."},
+    {.member = &Parameters::provenStep,
+        .key = "provenStep",
+        .label = "Proven step",
+        .group = Group::Search,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Measures the ray by |du| + |dv|, which a bilinear surface cannot outrun, instead of by its length as in the paper."},
+    {.member = &Parameters::safeBalls,
+        .key = "safeBalls",
+        .label = "Safe balls",
+        .group = Group::Search,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Makes every ball smaller by half the diagonal of a voxel, by which the paper's interpolated distance may be too long: no "
+                "step leads through the surface, and all end that much above it."},
+    {.member = &Parameters::offsetLimiting,
+        .key = "offsetLimiting",
+        .label = "Offset limiting",
+        .group = Group::Search,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Drops the division by the view's height (Welsh 2004): steadier at grazing views, but too shallow there."},
+    {.member = &Parameters::heightMips,
+        .key = "heightMips",
+        .label = "Coarser far away",
+        .group = Group::Search,
+        .affects = {Affects::ProgramText, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "Searches a coarser mip level of the height map where it is minified."},
 
-    {&Parameters::frames, "frames", "Frames", Group::Mesh, 0.f, 2.f, "", "", "vertex derivatives thesis",
-        "How the texture lies on the mesh: from the vertices, from the screen's derivatives (needs no tangents), or from those as the "
-        "thesis on derivative-based relief mapping has it, which loses skew."},
-    {&Parameters::silhouettes, "silhouettes", "Silhouettes", Group::Mesh, 0.f, 3.f, "", "technique", "off axes quadric prisms",
-        "Bends the search ray over the curved mesh and cuts off what is past its outline or a border. Axes: curvature along the tangents "
-        "only, as in the papers; quadric: all of it; prisms: the ray goes from triangle to triangle, slower, and right on any mesh."},
-    {&Parameters::depthOfHit, "depthOfHit", "Depth of the relief", Group::Mesh, 0.f, 1.f, "", "", "",
-        "Writes the depth of the point seen instead of the polygon's, so that surfaces meet where their relief does."},
-    {&Parameters::edgeFade, "edgeFade", "Fade at edges", Group::Mesh, 0.f, 1.f, "cos", "", "",
-        "Makes the relief shallow where the surface is seen edge-on: below this cosine of view; 0 keeps its depth."},
-    {&Parameters::clip, "clip", "Animation", Group::Mesh, 0.f, 63.f, "", "animated", "",
-        "Which animation of the mesh moves it, counted from 0."},
-    {&Parameters::time, "time", "Time", Group::Mesh, 0.f, 3600.f, "s", "animated", "",
-        "Moment of the animation, which repeats after its end."},
+    {.member = &Parameters::frames,
+        .key = "frames",
+        .label = "Frames",
+        .group = Group::Mesh,
+        .max = kLast<Frames>,
+        .affects = {Affects::ProgramText, Affects::ShadowMap},
+        .shader = {.files = {"surface/frame_vertex.glsl", "surface/frame_derivatives.glsl", "surface/frame_thesis.glsl"}},
+        .help
+        = "How the texture lies on the mesh: from the vertices, from the screen's derivatives (needs no tangents), or from those as the "
+          "thesis on derivative-based relief mapping has it, which loses skew."},
+    {.member = &Parameters::silhouettes,
+        .key = "silhouettes",
+        .label = "Silhouettes",
+        .group = Group::Mesh,
+        .max = kLast<Silhouettes>,
+        .affects = {Affects::ProgramText, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help
+        = "Bends the search ray over the curved mesh and cuts off what is past its outline or a border. Axes: curvature along the tangents "
+          "only, as in the papers; quadric: all of it; prisms: the ray goes from triangle to triangle, slower, and right on any mesh."},
+    {.member = &Parameters::depthOfHit,
+        .key = "depthOfHit",
+        .label = "Depth of the relief",
+        .group = Group::Mesh,
+        .affects = {Affects::ProgramText},
+        .shader = {.files = {"surface/depth_of_polygon.glsl", "surface/depth_of_hit.glsl"}},
+        .help = "Writes the depth of the point seen instead of the polygon's, so that surfaces meet where their relief does."},
+    {.member = &Parameters::edgeFade,
+        .key = "edgeFade",
+        .label = "Fade at edges",
+        .group = Group::Mesh,
+        .unit = "cos",
+        .affects = {Affects::ProgramText},
+        .shader = {.files = {"surface/depth_constant.glsl", "surface/depth_faded.glsl"}},
+        .help = "Makes the relief shallow where the surface is seen edge-on: below this cosine of view; 0 keeps its depth."},
+    {.member = &Parameters::clip,
+        .key = "clip",
+        .label = "Animation",
+        .group = Group::Mesh,
+        .max = 63.f,
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer, Affects::Pose},
+        .shown = {.inAnimationBar = true},
+        .help = "Which animation of the mesh moves it, counted from 0."},
+    {.member = &Parameters::time,
+        .key = "time",
+        .label = "Time",
+        .group = Group::Mesh,
+        .max = 3600.f,
+        .unit = "s",
+        .affects = {Affects::ShadowMap, Affects::ExactAnswer, Affects::Pose},
+        .shown = {.inAnimationBar = true},
+        .help = "Moment of the animation, which repeats after its end."},
 
-    {&Parameters::shadows, "shadows", "Self-shadows", Group::Shadows, 0.f, 1.f, "", "technique", "",
-        "Relief casts hard shadows on itself, found by the same search towards the light."},
-    {&Parameters::shadowStrength, "shadowStrength", "Strength", Group::Shadows, 0.f, 1.f, "", "shadows=1", "",
-        "Share of the light that a shadow takes away."},
-    {&Parameters::shadowBias, "shadowBias", "Bias", Group::Shadows, 0.f, 0.2f, "depth", "technique shadows=1", "",
-        "How much higher than the point an occluder must lie, as a share of the depth; hides shadow acne. Exact techniques need none."},
-    {&Parameters::lightSize, "lightSize", "Light size", Group::Shadows, 0.f, 20.f, "deg", "shadows=1", "",
-        "Angle that the light's disc fills: 0 casts hard shadows, more casts penumbras (and costs 8 searches instead of one)."},
-    {&Parameters::objectShadows, "objectShadows", "Between objects", Group::Shadows, 0.f, 1.f, "", "", "",
-        "Objects cast shadows on each other, with their relief: a map of what the light sees."},
-    {&Parameters::shadowMapSize, "shadowMapSize", "Shadow map", Group::Shadows, 64.f, 8192.f, "texels", "objectShadows=1", "",
-        "Texels a side of the map for shadows between objects; more make finer edges."},
+    {.member = &Parameters::shadows,
+        .key = "shadows",
+        .label = "Self-shadows",
+        .group = Group::Shadows,
+        .affects = {Affects::ProgramText},
+        .shown = {.byTechnique = true},
+        .help = "Relief casts hard shadows on itself, found by the same search towards the light."},
+    {.member = &Parameters::shadowStrength,
+        .key = "shadowStrength",
+        .label = "Strength",
+        .group = Group::Shadows,
+        .shown = {.when = Condition(&Parameters::shadows, true)},
+        .help = "Share of the light that a shadow takes away."},
+    {.member = &Parameters::shadowBias,
+        .key = "shadowBias",
+        .label = "Bias",
+        .group = Group::Shadows,
+        .max = 0.2f,
+        .unit = "depth",
+        .shown = {.byTechnique = true, .when = Condition(&Parameters::shadows, true)},
+        .help
+        = "How much higher than the point an occluder must lie, as a share of the depth; hides shadow acne. Exact techniques need none."},
+    {.member = &Parameters::lightSize,
+        .key = "lightSize",
+        .label = "Light size",
+        .group = Group::Shadows,
+        .max = 20.f,
+        .unit = "deg",
+        .affects = {Affects::ProgramText},
+        .shown = {.when = Condition(&Parameters::shadows, true)},
+        .help = "Angle that the light's disc fills: 0 casts hard shadows, more casts penumbras (and costs 8 searches instead of one)."},
+    {.member = &Parameters::objectShadows,
+        .key = "objectShadows",
+        .label = "Between objects",
+        .group = Group::Shadows,
+        .affects = {Affects::ProgramText},
+        .help = "Objects cast shadows on each other, with their relief: a map of what the light sees."},
+    {.member = &Parameters::shadowMapSize,
+        .key = "shadowMapSize",
+        .label = "Shadow map",
+        .group = Group::Shadows,
+        .min = 64.f,
+        .max = 8192.f,
+        .unit = "texels",
+        .affects = {Affects::ShadowMap},
+        .shown = {.when = Condition(&Parameters::objectShadows, true)},
+        .help = "Texels a side of the map for shadows between objects; more make finer edges."},
 
-    {&Parameters::shading, "shading", "Model", Group::Shading, 0.f, 1.f, "", "", "metallic-roughness blinn-phong",
-        "Metallic-roughness as glTF and engines, or Blinn-Phong as the relief mapping papers."},
-    {&Parameters::tint, "tint", "Tint", Group::Shading, 0.f, 1.f, "linear", "", "", "Multiplies the base color."},
-    {&Parameters::roughness, "roughness", "Roughness", Group::Shading, 0.f, 1.f, "x", "shading=0", "",
-        "Multiplies the roughness map; the roughness itself when there is none."},
-    {&Parameters::metallic, "metallic", "Metallic", Group::Shading, 0.f, 1.f, "x", "shading=0", "",
-        "Multiplies the metallic map; without a map the material is not metal."},
-    {&Parameters::specular, "specular", "Specular", Group::Shading, 0.f, 1.f, "", "shading=1", "",
-        "Strength of the highlight; multiplies the specular map."},
-    {&Parameters::shininess, "shininess", "Shininess", Group::Shading, 1.f, 512.f, "", "shading=1", "",
-        "Exponent of the Blinn-Phong highlight."},
-    {&Parameters::aoStrength, "aoStrength", "Occlusion", Group::Shading, 0.f, 1.f, "", "", "",
-        "How much the occlusion map darkens ambient light."},
-    {&Parameters::emission, "emission", "Emission", Group::Shading, 0.f, 100.f, "x", "", "", "Multiplies the emission map."},
+    {.member = &Parameters::shading,
+        .key = "shading",
+        .label = "Model",
+        .group = Group::Shading,
+        .max = kLast<Shading>,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Light, .files = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"}},
+        .help = "Metallic-roughness as glTF and engines, or Blinn-Phong as the relief mapping papers."},
+    {.member = &Parameters::tint,
+        .key = "tint",
+        .label = "Tint",
+        .group = Group::Shading,
+        .unit = "linear",
+        .help = "Multiplies the base color."},
+    {.member = &Parameters::roughness,
+        .key = "roughness",
+        .label = "Roughness",
+        .group = Group::Shading,
+        .unit = "x",
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Multiplies the roughness map; the roughness itself when there is none."},
+    {.member = &Parameters::metallic,
+        .key = "metallic",
+        .label = "Metallic",
+        .group = Group::Shading,
+        .unit = "x",
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Multiplies the metallic map; without a map the material is not metal."},
+    {.member = &Parameters::specular,
+        .key = "specular",
+        .label = "Specular",
+        .group = Group::Shading,
+        .shown = {.when = Condition(&Parameters::shading, Shading::BlinnPhong)},
+        .help = "Strength of the highlight; multiplies the specular map."},
+    {.member = &Parameters::shininess,
+        .key = "shininess",
+        .label = "Shininess",
+        .group = Group::Shading,
+        .min = 1.f,
+        .max = 512.f,
+        .shown = {.when = Condition(&Parameters::shading, Shading::BlinnPhong)},
+        .help = "Exponent of the Blinn-Phong highlight."},
+    {.member = &Parameters::aoStrength,
+        .key = "aoStrength",
+        .label = "Occlusion",
+        .group = Group::Shading,
+        .help = "How much the occlusion map darkens ambient light."},
+    {.member = &Parameters::emission,
+        .key = "emission",
+        .label = "Emission",
+        .group = Group::Shading,
+        .max = 100.f,
+        .unit = "x",
+        .help = "Multiplies the emission map."},
 
-    {&Parameters::lightYaw, "lightYaw", "Direction", Group::Light, -180.f, 180.f, "deg", "", "",
-        "Where the light comes from, about the vertical axis; 0 is +z."},
-    {&Parameters::lightPitch, "lightPitch", "Height", Group::Light, -90.f, 90.f, "deg", "", "", "Angle of the light above the horizon."},
-    {&Parameters::lightIntensity, "lightIntensity", "Intensity", Group::Light, 0.f, 20.f, "", "", "", "Irradiance of the light over pi."},
-    {&Parameters::lightColor, "lightColor", "Color", Group::Light, 0.f, 1.f, "linear", "", "", "Color of the light."},
-    {&Parameters::environmentIntensity, "environmentIntensity", "Environment", Group::Light, 0.f, 10.f, "x", "", "",
-        "Multiplies the light of the surroundings."},
-    {&Parameters::environmentYaw, "environmentYaw", "Turn environment", Group::Light, -180.f, 180.f, "deg", "", "",
-        "Turns the surroundings about the vertical axis."},
-    {&Parameters::exposure, "exposure", "Exposure", Group::Light, -8.f, 8.f, "EV", "", "", "Brightness of the picture in stops."},
+    {.member = &Parameters::lightYaw,
+        .key = "lightYaw",
+        .label = "Direction",
+        .group = Group::Light,
+        .min = -180.f,
+        .max = 180.f,
+        .unit = "deg",
+        .affects = {Affects::ShadowMap},
+        .help = "Where the light comes from, about the vertical axis; 0 is +z."},
+    {.member = &Parameters::lightPitch,
+        .key = "lightPitch",
+        .label = "Height",
+        .group = Group::Light,
+        .min = -90.f,
+        .max = 90.f,
+        .unit = "deg",
+        .affects = {Affects::ShadowMap},
+        .help = "Angle of the light above the horizon."},
+    {.member = &Parameters::lightIntensity,
+        .key = "lightIntensity",
+        .label = "Intensity",
+        .group = Group::Light,
+        .max = 20.f,
+        .help = "Irradiance of the light over pi."},
+    {.member = &Parameters::lightColor,
+        .key = "lightColor",
+        .label = "Color",
+        .group = Group::Light,
+        .unit = "linear",
+        .help = "Color of the light."},
+    {.member = &Parameters::environmentIntensity,
+        .key = "environmentIntensity",
+        .label = "Environment",
+        .group = Group::Light,
+        .max = 10.f,
+        .unit = "x",
+        .help = "Multiplies the light of the surroundings."},
+    {.member = &Parameters::environmentYaw,
+        .key = "environmentYaw",
+        .label = "Turn environment",
+        .group = Group::Light,
+        .min = -180.f,
+        .max = 180.f,
+        .unit = "deg",
+        .help = "Turns the surroundings about the vertical axis."},
+    {.member = &Parameters::exposure,
+        .key = "exposure",
+        .label = "Exposure",
+        .group = Group::Light,
+        .min = -8.f,
+        .max = 8.f,
+        .unit = "EV",
+        .help = "Brightness of the picture in stops."},
 
-    {&Parameters::background, "background", "Background", Group::View, 0.f, 2.f, "", "", "plain environment transparent",
-        "What is drawn behind the mesh."},
-    {&Parameters::wireframe, "wireframe", "Wireframe", Group::View, 0.f, 1.f, "", "", "",
-        "Draws the edges of the triangles over the picture."},
-    {&Parameters::fetchRange, "fetchRange", "Fetches shown up to", Group::View, 1.f, 1024.f, "fetches", "", "",
-        "Texture fetches at the bright end of the fetches view."},
-    {&Parameters::errorRange, "errorRange", "Error shown up to", Group::View, 0.0001f, 1.f, "depth", "", "",
-        "Depth error at the bright end of the views Error and Overshoot, as a share of the depth."},
+    {.member = &Parameters::background,
+        .key = "background",
+        .label = "Background",
+        .group = Group::View,
+        .max = kLast<Backdrop>,
+        .help = "What is drawn behind the mesh."},
+    {.member = &Parameters::wireframe,
+        .key = "wireframe",
+        .label = "Wireframe",
+        .group = Group::View,
+        .help = "Draws the edges of the triangles over the picture."},
+    {.member = &Parameters::fetchRange,
+        .key = "fetchRange",
+        .label = "Fetches shown up to",
+        .group = Group::View,
+        .min = 1.f,
+        .max = 1024.f,
+        .unit = "fetches",
+        .sharedByPanes = true,
+        .help = "Texture fetches at the bright end of the fetches view."},
+    {.member = &Parameters::errorRange,
+        .key = "errorRange",
+        .label = "Error shown up to",
+        .group = Group::View,
+        .min = 0.0001f,
+        .unit = "depth",
+        .sharedByPanes = true,
+        .help = "Depth error at the bright end of the views Error and Overshoot, as a share of the depth."},
 });
 
 const ParameterRow* findParameter(std::string_view key); // nullptr when unknown
 
-// Number of options of a choice row, 0 for any other.
+// What a row's value is.
+enum class ValueKind { Number, Whole, Switch, Color, Choice };
+constexpr std::string_view wordOf(ValueKind kind)
+{
+    switch (kind) {
+    case ValueKind::Number:
+        return "number";
+    case ValueKind::Whole:
+        return "whole";
+    case ValueKind::Switch:
+        return "switch";
+    case ValueKind::Color:
+        return "color";
+    case ValueKind::Choice:
+        return "choice";
+    }
+    return {};
+}
+constexpr ValueKind kindOf(const ParameterRow& row)
+{
+    return ValueKind(std::min(row.member.index(), std::size_t(ValueKind::Choice)));
+}
+
+// Of a choice row: how many there are to choose from, and their words; 0 and "" for any other.
 constexpr int optionCount(const ParameterRow& row)
 {
-    int count = row.options.empty() ? 0 : 1;
-    for (char c : row.options)
-        count += c == ' ';
-    return count;
+    return std::visit(
+        [](auto member) {
+            if constexpr (IsChoice<MemberType<decltype(member)>>)
+                return int(kChoices<MemberType<decltype(member)>>);
+            else
+                return 0;
+        },
+        row.member);
 }
-std::string_view option(const ParameterRow& row, int index); // "" outside
-std::optional<int> findOption(const ParameterRow& row, std::string_view); // by name
+constexpr std::string_view option(const ParameterRow& row, int index) // "" outside
+{
+    return std::visit(
+        [index](auto member) {
+            if constexpr (IsChoice<MemberType<decltype(member)>>)
+                return wordOf(MemberType<decltype(member)>(index));
+            else
+                return std::string_view();
+        },
+        row.member);
+}
+// How many shader files a row chooses among: one for each option, or off and on.
+constexpr std::size_t variantCount(const ParameterRow& row)
+{
+    return kindOf(row) == ValueKind::Choice ? std::size_t(optionCount(row)) : 2;
+}
+std::optional<int> findOption(const ParameterRow& row, std::string_view word);
+std::string optionList(const ParameterRow& row, char separator); // "repeat clamp"
 
-// One parameter's value, whatever its kind. Comparable, so that overrides and undo can be.
+// One parameter's value, whatever its kind; that of a choice is the number of its option. Comparable, so that overrides and undo can be.
 using Value = std::variant<float, int, bool, glm::vec3>;
+bool isOfKind(const ParameterRow& row, const Value& value);
 Value get(const Parameters& parameters, const ParameterRow& row);
 void set(Parameters& parameters, const ParameterRow& row, const Value& value); // the kinds must agree (asserted)
 bool inRange(const ParameterRow& row, const Value& value);
+std::size_t variantOf(const ParameterRow& row, const Value& value); // which of the row's shader files the value chooses
 Value clamped(const ParameterRow& row, const Value& value); // NaN becomes the minimum
 
 // "0.08", "32", "true", "repeat", "#ffcc00" or "1,0.8,0": as on the command line. Nothing when the text is not of the row's kind.
@@ -255,13 +651,48 @@ consteval bool rowsAreSound()
                 return false;
         if (row.key.empty() || row.label.empty() || row.help.empty() || !(row.min < row.max) || !defaultInRange(row))
             return false;
-        if (!row.options.empty() && (row.min != 0.f || row.max != float(optionCount(row) - 1)))
+        if (kindOf(row) == ValueKind::Choice && (row.min != 0.f || row.max != float(optionCount(row) - 1)))
+            return false;
+        std::size_t files = 0;
+        for (const std::string_view& file : row.shader.files)
+            files += file.empty() ? 0 : 1;
+        if (files != 0 && (files != variantCount(row) || !row.affects.contains(Affects::ProgramText)))
             return false;
     }
     return true;
 }
 } // namespace detail
 static_assert(detail::arity<Parameters>() == kParameters.size(), "each member of Parameters wants exactly one row in kParameters");
-static_assert(detail::rowsAreSound(), "a key or member twice, a default outside its range, or a row without label or help");
+static_assert(detail::rowsAreSound(),
+    "a key or member twice, a default outside its range, a row without label or help, or not one shader file for each option");
+
+// The place of a member's row in the table.
+constexpr std::size_t indexOf(const Member& member)
+{
+    std::size_t index = 0;
+    while (kParameters[index].member != member)
+        ++index;
+    return index;
+}
+
+// Some of the parameters.
+class ParameterSet {
+public:
+    constexpr ParameterSet() = default;
+    constexpr ParameterSet(std::initializer_list<Member> members)
+    {
+        for (const Member& member : members)
+            m_holds[indexOf(member)] = true;
+    }
+    constexpr bool contains(const ParameterRow& row) const { return m_holds[std::size_t(&row - kParameters.data())]; }
+    constexpr bool contains(const Member& member) const { return m_holds[indexOf(member)]; }
+
+private:
+    std::array<bool, kParameters.size()> m_holds{};
+};
+std::string keysOf(const ParameterSet& set); // in the order of the table, separated by spaces
+
+// The parameters that affect `what`; the others by default. For comparing what something was made for.
+Parameters onlyAffecting(Affects what, const Parameters& parameters);
 
 } // namespace relievo

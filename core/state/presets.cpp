@@ -17,7 +17,7 @@ Expected<StateRead> readPreset(const State& base, const std::string& nameOrFile)
     std::string known;
     for (const PresetRow& preset : kPresets)
         known += (known.empty() ? "" : ", ") + std::string(preset.key);
-    return failure(nameOrFile, "there is no such preset and no such file", "Presets are " + known);
+    return failure(ErrorCode::NotFound, nameOrFile, "there is no such preset and no such file", "Presets are " + known);
 }
 
 } // namespace relievo

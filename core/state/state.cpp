@@ -13,9 +13,30 @@ Parameters effectiveParameters(const State& state, std::size_t pane)
     Parameters parameters = state.parameters;
     if (pane < state.panes.size())
         for (const auto& [key, value] : state.panes[pane].overrides)
-            if (const ParameterRow* row = findParameter(key); row && row->member.index() == value.index())
+            if (const ParameterRow* row = findParameter(key); row && isOfKind(*row, value))
                 set(parameters, *row, value);
+    if (pane < state.panes.size() && state.panes[pane].light)
+        parameters.lightYaw = state.panes[pane].light->yaw, parameters.lightPitch = state.panes[pane].light->pitch;
     return parameters;
+}
+
+const Camera& cameraOf(const State& state, std::size_t pane)
+{
+    return pane < state.panes.size() && state.panes[pane].camera ? *state.panes[pane].camera : state.camera;
+}
+
+void setCameraOf(State& state, std::size_t pane, const Camera& camera)
+{
+    if (pane < state.panes.size() && state.panes[pane].camera)
+        state.panes[pane].camera = camera;
+    else
+        state.camera = camera;
+}
+
+void setView(State& state, std::string_view view)
+{
+    for (Pane& pane : state.panes)
+        pane.view = view;
 }
 
 float metresPerUV(const Parameters& parameters, float measuredOfMesh)
@@ -32,19 +53,16 @@ float physicalDepth(const Parameters& parameters, float measuredOfMesh)
 namespace {
 std::string rangeText(const ParameterRow& row)
 {
-    if (!row.options.empty()) {
-        std::string list(row.options);
-        std::ranges::replace(list, ' ', '|');
-        return "One of " + list;
-    }
-    if (std::holds_alternative<bool Parameters::*>(row.member))
+    if (kindOf(row) == ValueKind::Choice)
+        return "One of " + optionList(row, '|');
+    if (kindOf(row) == ValueKind::Switch)
         return "true or false";
     const auto number = [](float v) {
         char buffer[32];
         return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, v).ptr);
     };
     const std::string range = number(row.min) + " to " + number(row.max) + (row.unit.empty() ? "" : " " + std::string(row.unit));
-    return std::holds_alternative<glm::vec3 Parameters::*>(row.member) ? "R,G,B, each " + range : range;
+    return kindOf(row) == ValueKind::Color ? "R,G,B, each " + range : range;
 }
 } // namespace
 
@@ -56,7 +74,7 @@ Expected<void> setParameter(State& state, std::string_view assignment)
         return failure("--set " + key, "there is no value", "Write --set KEY=VALUE");
     const ParameterRow* row = findParameter(key);
     if (!row)
-        return failure("--set " + key, "there is no such parameter", "relievo describe parameters lists them");
+        return failure(ErrorCode::NotFound, "--set " + key, "there is no such parameter", "relievo describe parameters lists them");
     const std::string text(assignment.substr(equals + 1));
     const auto value = parseValue(*row, text);
     if (!value || !inRange(*row, *value))

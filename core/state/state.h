@@ -23,12 +23,23 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-// One picture of the window: a technique, and the parameters that differ from the shared ones.
+// Where the light comes from, as the parameters lightYaw and lightPitch.
+struct LightDirection {
+    float yaw, pitch; // degrees
+    bool operator==(const LightDirection&) const = default;
+};
+
+// One picture of the window: a technique and a view, and what differs from the shared State. An unlinked pane holds a camera and a light
+// of its own; linked ones follow the State's.
 struct Pane {
-    std::string technique = "relief";
-    std::map<std::string, Value> overrides; // by parameter key
+    std::string technique = "relief"; // key of kTechniques
+    std::map<std::string, Value> overrides = {}; // by parameter key
+    std::string view = "shaded"; // key of kViews
+    std::optional<Camera> camera = {};
+    std::optional<LightDirection> light = {};
     bool operator==(const Pane&) const = default;
 };
+inline constexpr std::size_t kMaxPanes = 6;
 
 struct State {
     std::string name = "Untitled";
@@ -37,14 +48,18 @@ struct State {
     std::string mesh = "plane"; // a shape's key or an absolute path
     std::string part; // material of the mesh file whose parts show this material; "" for all, the others are plain
     std::string environment = "studio"; // "studio" or an absolute path
-    Camera camera;
-    std::string view = "shaded";
-    std::vector<Pane> panes = {Pane{}}; // one or two
+    Camera camera; // of the linked panes
+    std::vector<Pane> panes = {Pane{}}; // 1 to kMaxPanes
     bool operator==(const State&) const = default;
 };
 
-// The parameters that pane `index` is drawn with: the shared ones under the pane's overrides.
+// The parameters that pane `index` is drawn with: the shared ones under the pane's overrides and its own light.
 Parameters effectiveParameters(const State& state, std::size_t pane);
+// The camera that it is seen by: its own, or the shared one.
+const Camera& cameraOf(const State& state, std::size_t pane);
+void setCameraOf(State& state, std::size_t pane, const Camera& camera);
+// Shows all panes by this view, a key of kViews.
+void setView(State& state, std::string_view view);
 
 // metresPerUV as set, or as measured of the mesh when the parameter is 0; never 0.
 float metresPerUV(const Parameters& parameters, float measuredOfMesh);

@@ -20,7 +20,7 @@ Json valueJson(const ParameterRow& row, const Value& value)
     if (const float* f = std::get_if<float>(&value))
         return Json::parse(toText(row, *f)); // the shortest decimal, not the float widened to double
     if (const int* i = std::get_if<int>(&value))
-        return row.options.empty() ? Json(*i) : Json(std::string(option(row, *i)));
+        return kindOf(row) == ValueKind::Choice ? Json(std::string(option(row, *i))) : Json(*i);
     if (const bool* b = std::get_if<bool>(&value))
         return *b;
     return Json::parse('[' + toText(row, value) + ']');
@@ -58,8 +58,8 @@ Json mapsJson(const MapSlots& slots, const fs::path& folder)
     for (const MapKindRow& row : kMapKinds) {
         const MapSlot& slot = slots[std::size_t(row.kind)];
         if (!slot.empty())
-            json[std::string(row.key)] = {{"file", relativeTo(folder, slot.file)},
-                {"channel", std::string(kChannelKeys[std::size_t(slot.channel)])}, {"invert", slot.invert}};
+            json[std::string(row.key)]
+                = {{"file", relativeTo(folder, slot.file)}, {"channel", std::string(wordOf(slot.channel))}, {"invert", slot.invert}};
     }
     return json;
 }
@@ -82,7 +82,14 @@ Json panesJson(const std::vector<Pane>& panes)
         for (const auto& [key, value] : pane.overrides)
             if (const ParameterRow* row = findParameter(key))
                 overrides[key] = valueJson(*row, value);
-        json.push_back({{"technique", pane.technique}, {"overrides", overrides}});
+        Json one = {{"technique", pane.technique}, {"overrides", overrides}};
+        if (pane.view != panes.front().view) // the first one's is the project's
+            one["view"] = pane.view;
+        if (pane.camera)
+            one["camera"] = cameraJson(*pane.camera);
+        if (pane.light)
+            one["light"] = {{"yaw", pane.light->yaw}, {"pitch", pane.light->pitch}};
+        json.push_back(one);
     }
     return json;
 }
@@ -93,7 +100,7 @@ std::string toJson(const State& state, const fs::path& folder)
     const std::string mesh = fs::path(state.mesh).is_absolute() ? relativeTo(folder, state.mesh) : state.mesh;
     const Json json = {{"relievo", kStateVersion}, {"name", state.name}, {"maps", mapsJson(state.slots, folder)},
         {"parameters", parametersJson(state.parameters)}, {"mesh", mesh}, {"part", state.part},
-        {"environment", relativeTo(folder, state.environment)}, {"camera", cameraJson(state.camera)}, {"view", state.view},
+        {"environment", relativeTo(folder, state.environment)}, {"camera", cameraJson(state.camera)}, {"view", state.panes.front().view},
         {"panes", panesJson(state.panes)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -136,9 +143,9 @@ public:
             if (key == "environment")
                 return file(value, key, state.environment, value != "studio");
             if (key == "camera")
-                return camera(value, state.camera);
+                return camera(value, key, state.camera);
             if (key == "view")
-                return word(value, key, state.view, [](const std::string& name) { return findView(name) != nullptr; });
+                return viewOfAll(value, key, state);
             return false;
         });
         if (json.contains("panes")) // after the parameters, which panes may override
@@ -221,9 +228,9 @@ private:
                 return flag(value, place + ".invert", out.invert);
             if (key != "channel")
                 return false;
-            std::string name(kChannelKeys[std::size_t(out.channel)]);
-            word(value, place + ".channel", name, [](const std::string& n) { return std::ranges::count(kChannelKeys, n) > 0; });
-            out.channel = Channel(std::ranges::find(kChannelKeys, name) - kChannelKeys.begin());
+            std::string name(wordOf(out.channel));
+            word(value, place + ".channel", name, [](const std::string& n) { return choiceOf<Channel>(n).has_value(); });
+            out.channel = *choiceOf<Channel>(name);
             return true;
         });
     }
@@ -242,14 +249,15 @@ private:
     {
         if (json.is_string())
             return parseValue(row, json.get<std::string>());
-        if (json.is_boolean() && std::holds_alternative<bool Parameters::*>(row.member))
+        const ValueKind kind = kindOf(row);
+        if (json.is_boolean() && kind == ValueKind::Switch)
             return json.get<bool>();
-        if (json.is_number() && std::holds_alternative<float Parameters::*>(row.member))
+        if (json.is_number() && kind == ValueKind::Number)
             return json.get<float>();
-        if (json.is_number() && std::holds_alternative<int Parameters::*>(row.member)
+        if (json.is_number() && (kind == ValueKind::Whole || kind == ValueKind::Choice)
             && json.get<double>() == std::round(json.get<double>()))
             return int(std::clamp(std::round(json.get<double>()), -2e9, 2e9));
-        if (json.is_array() && json.size() == 3 && std::holds_alternative<glm::vec3 Parameters::*>(row.member)
+        if (json.is_array() && json.size() == 3 && kind == ValueKind::Color
             && std::ranges::all_of(json, [](const Json& j) { return j.is_number(); }))
             return glm::vec3(json[0].get<float>(), json[1].get<float>(), json[2].get<float>());
         return {};
@@ -274,36 +282,52 @@ private:
         });
     }
 
-    bool camera(const Json& json, Camera& out)
+    bool camera(const Json& json, const std::string& place, Camera& out)
     {
-        return each(json, "camera", [&](const std::string& key, const Json& value) {
+        return each(json, place, [&](const std::string& key, const Json& value) {
             if (key != "yaw" && key != "pitch" && key != "fov" && key != "distance" && key != "target")
                 return false;
             const auto isNumber = [](const Json& one) { return one.is_number(); };
             const bool isPoint = key == "target" && value.is_array() && value.size() == 3 && std::ranges::all_of(value, isNumber);
             if (!isPoint && !isNumber(value)) { // lists may be nested deeper than dump() can follow
-                warn(
-                    "wrong-kind", "camera." + key, "expected " + std::string(key == "target" ? "three numbers" : "a number") + "; ignored");
+                warn("wrong-kind", place + '.' + key,
+                    "expected " + std::string(key == "target" ? "three numbers" : "a number") + "; ignored");
                 return true;
             }
             const std::string text = isPoint ? value[0].dump() + ':' + value[1].dump() + ':' + value[2].dump() : value.dump();
             if (!setCamera(out, key + '=' + text))
-                warn("out-of-range", "camera." + key, text + " cannot be used; ignored");
+                warn("out-of-range", place + '.' + key, text + " cannot be used; ignored");
             return true;
         });
     }
 
+    static bool isView(const std::string& name) { return findView(name) != nullptr; }
+
+    // A view beside the panes is that of all panes that do not name one.
+    bool viewOfAll(const Json& value, const std::string& place, State& state)
+    {
+        std::string view = state.panes.front().view;
+        word(value, place, view, isView);
+        setView(state, view);
+        return true;
+    }
+
     bool panes(const Json& json, std::vector<Pane>& out)
     {
+        const std::string most = std::to_string(kMaxPanes);
         if (!json.is_array() || json.empty()) {
-            warn("wrong-kind", "panes", "expected a list of one or two panes; ignored");
+            warn("wrong-kind", "panes", "expected a list of 1 to " + most + " panes; ignored");
             return true;
         }
-        if (json.size() > 2)
-            warn("out-of-range", "panes", "only the first two panes are used");
-        out.resize(std::min<std::size_t>(json.size(), 2));
-        for (std::size_t i = 0; i < out.size(); ++i)
+        if (json.size() > kMaxPanes)
+            warn("out-of-range", "panes", "only the first " + most + " panes are used");
+        Pane further;
+        further.view = out.front().view;
+        out.resize(std::min(json.size(), kMaxPanes), further);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            out[i].camera.reset(), out[i].light.reset(); // linked, unless the file says otherwise
             pane(json[i], "panes[" + std::to_string(i) + ']', out[i]);
+        }
         return true;
     }
 
@@ -313,12 +337,36 @@ private:
             if (key == "technique")
                 return word(
                     value, place + ".technique", out.technique, [](const std::string& name) { return findTechnique(name) != nullptr; });
+            if (key == "view")
+                return word(value, place + ".view", out.view, isView);
+            if (key == "camera")
+                return camera(value, place + ".camera", out.camera.emplace());
+            if (key == "light")
+                return light(value, place + ".light", out.light);
             if (key != "overrides")
                 return false;
             out.overrides.clear();
             return parameters(
                 value, place + ".overrides", [&](const ParameterRow& row, const Value& v) { out.overrides[std::string(row.key)] = v; });
         });
+    }
+
+    bool light(const Json& json, const std::string& place, std::optional<LightDirection>& out)
+    {
+        LightDirection direction{Parameters().lightYaw, Parameters().lightPitch};
+        each(json, place, [&](const std::string& key, const Json& value) {
+            if (key != "yaw" && key != "pitch")
+                return false;
+            const ParameterRow& row = *findParameter(key == "yaw" ? "lightYaw" : "lightPitch");
+            if (!value.is_number())
+                warn("wrong-kind", place + '.' + key, "expected a number; ignored");
+            else
+                (key == "yaw" ? direction.yaw : direction.pitch) = std::get<float>(clamped(row, value.get<float>()));
+            return true;
+        });
+        if (json.is_object())
+            out = direction;
+        return true;
     }
 
     const fs::path& m_folder;
@@ -355,7 +403,7 @@ nlohmann::ordered_json searchJson(const TechniqueRow& technique, const Parameter
             const Value value = get(parameters, row);
             if (const bool* on = std::get_if<bool>(&value))
                 json[std::string(row.key)] = *on;
-            else if (const int* number = std::get_if<int>(&value); number && row.options.empty())
+            else if (const int* number = std::get_if<int>(&value); number && kindOf(row) == ValueKind::Whole)
                 json[std::string(row.key)] = *number;
             else
                 json[std::string(row.key)] = toText(row, value);

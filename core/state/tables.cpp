@@ -13,21 +13,10 @@ const TechniqueRow* findTechnique(std::string_view key)
     return found == kTechniques.end() ? nullptr : &*found;
 }
 
-bool searchesBy(const TechniqueRow& technique, const ParameterRow& row)
-{
-    return row.group == Group::Search && row.key != "heightMips" && listHas(technique.parameters, row.key);
-}
-
 const ViewRow* findView(std::string_view key)
 {
     const auto found = std::ranges::find(kViews, key, &ViewRow::key);
     return found == kViews.end() ? nullptr : &*found;
-}
-
-float heatRange(const Parameters& parameters, std::string_view view)
-{
-    const ViewRow* row = findView(view);
-    return view == "fetches" ? parameters.fetchRange : row && row->isAgainstExact ? parameters.errorRange : 1.f;
 }
 
 } // namespace relievo

@@ -3,44 +3,111 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/state/parameters.h"
+#include <algorithm>
 #include <array>
 #include <string_view>
 
 namespace relievo {
 
+// What of the light a view computes.
+enum class ViewLight { None, Shadows, All };
+
 struct ViewRow {
     std::string_view key;
     std::string_view label;
     std::string_view file; // under shaders/
-    std::string_view unit; // of the numbers of a heat map's legend; "" for pictures
-    bool isHeat; // drawn with the colour-blind-safe heat map and a legend
-    bool isColor; // encoded as sRGB, light after exposure and tone curve; else values are shown as they are
-    bool isAgainstExact; // compares with the exact first hit: needs a height map, searches at full resolution
+    std::string_view fileOnMesh = {}; // instead of it, where the exact answer of the displaced mesh is given; "" for the same
+    std::string_view unit = {}; // of the numbers of a heat map's legend; "" for pictures
+    bool isHeat = false; // drawn with the colour-blind-safe heat map and a legend
+    bool isColor = false; // encoded as sRGB, light after exposure and tone curve; else values are shown as they are
+    bool isAgainstExact = false; // compares with the exact first hit: needs a height map, searches at full resolution
+    ViewLight light = ViewLight::None;
+    bool showsHoles = false; // what is cut out of the mesh is drawn
+    float Parameters::*range = nullptr; // the value at the bright end of a heat map; nullptr: 1
     std::string_view help;
 };
 
 inline constexpr auto kViews = std::to_array<ViewRow>({
-    {"shaded", "Shaded", "views/shaded.glsl", "", false, true, false, "The lit material."},
-    {"color", "Base color", "views/color.glsl", "", false, true, false, "Base color where the search lands, unlit."},
-    {"normal", "Normal", "views/normal.glsl", "", false, false, false, "World-space normal, as n / 2 + 1/2."},
-    {"depth", "Depth", "views/depth.glsl", "depth", true, false, false, "Depth that the search found: 0 on the surface, 1 deepest."},
-    {"fetches", "Fetches", "views/fetches.glsl", "fetches", true, false, false, "Texture reads of the search at each pixel."},
-    {"shadow", "Shadow", "views/shadow.glsl", "", false, false, false, "Shadow alone: white lit, black shadowed."},
-    {"position", "Position", "views/position.glsl", "", false, false, false,
-        "World-space position of the point seen in metres, x red, y green, z blue; for float pictures."},
-    {"outline", "Outline", "views/outline.glsl", "", false, false, false, "What silhouettes cut off the mesh, in red."},
-    {"invalid", "Invalid", "views/invalid.glsl", "pixels", true, false, false,
-        "Pixels whose light is not a number, from broken meshes or maps. There should be none."},
-    {"error", "Error", "views/error.glsl", "depth", true, false, true,
-        "Difference from the exact answer at full resolution, as a share of the depth: of the depth found from the exact first hit on a "
-        "plane, of the point seen from the displaced mesh itself on others."},
-    {"overshoot", "Overshoot", "views/overshoot.glsl", "depth", true, false, true,
-        "How far the search goes through the first surface of the flat relief, as a share of the depth; 0 where it stops at it or before."},
+    {.key = "shaded",
+        .label = "Shaded",
+        .file = "views/shaded.glsl",
+        .isColor = true,
+        .light = ViewLight::All,
+        .help = "The lit material."},
+    {.key = "color",
+        .label = "Base color",
+        .file = "views/color.glsl",
+        .isColor = true,
+        .help = "Base color where the search lands, unlit."},
+    {.key = "normal", .label = "Normal", .file = "views/normal.glsl", .help = "World-space normal, as n / 2 + 1/2."},
+    {.key = "depth",
+        .label = "Depth",
+        .file = "views/depth.glsl",
+        .unit = "depth",
+        .isHeat = true,
+        .help = "Depth that the search found: 0 on the surface, 1 deepest."},
+    {.key = "fetches",
+        .label = "Fetches",
+        .file = "views/fetches.glsl",
+        .unit = "fetches",
+        .isHeat = true,
+        .range = &Parameters::fetchRange,
+        .help = "Texture reads of the search at each pixel."},
+    {.key = "shadow",
+        .label = "Shadow",
+        .file = "views/shadow.glsl",
+        .light = ViewLight::Shadows,
+        .help = "Shadow alone: white lit, black shadowed."},
+    {.key = "position",
+        .label = "Position",
+        .file = "views/position.glsl",
+        .help = "World-space position of the point seen in metres, x red, y green, z blue; for float pictures."},
+    {.key = "outline",
+        .label = "Outline",
+        .file = "views/outline.glsl",
+        .showsHoles = true,
+        .help = "What silhouettes cut off the mesh, in red."},
+    {.key = "invalid",
+        .label = "Invalid",
+        .file = "views/invalid.glsl",
+        .unit = "pixels",
+        .isHeat = true,
+        .light = ViewLight::All,
+        .help = "Pixels whose light is not a number, from broken meshes or maps. There should be none."},
+    {.key = "error",
+        .label = "Error",
+        .file = "views/error.glsl",
+        .fileOnMesh = "views/error_on_mesh.glsl",
+        .unit = "depth",
+        .isHeat = true,
+        .isAgainstExact = true,
+        .range = &Parameters::errorRange,
+        .help
+        = "Difference from the exact answer at full resolution, as a share of the depth: of the depth found from the exact first hit on a "
+          "plane, of the point seen from the displaced mesh itself on others."},
+    {.key = "overshoot",
+        .label = "Overshoot",
+        .file = "views/overshoot.glsl",
+        .unit = "depth",
+        .isHeat = true,
+        .isAgainstExact = true,
+        .range = &Parameters::errorRange,
+        .help = "How far the search goes through the first surface of the flat relief, as a share of the depth; 0 where it stops at it or "
+                "before."},
 });
 
 const ViewRow* findView(std::string_view key); // nullptr when unknown
 
+// The row of a key that the program itself names; a key that is none does not compile.
+consteval const ViewRow& knownView(std::string_view key)
+{
+    return *std::ranges::find(kViews, key, &ViewRow::key);
+}
+
 // The value at the bright end of a heat view, in its unit.
-float heatRange(const Parameters& parameters, std::string_view view);
+inline float heatRange(const Parameters& parameters, const ViewRow& view)
+{
+    return view.range ? parameters.*view.range : 1.f;
+}
 
 } // namespace relievo

@@ -205,7 +205,8 @@ Error noEmbree(RTCDevice device)
 {
     const bool memory = rtcGetDeviceError(device) == RTC_ERROR_OUT_OF_MEMORY;
     return {memory ? "there is not enough memory for the displaced mesh" : "Embree cannot be used", "reference",
-        memory ? "Take a smaller picture or a mesh with fewer tiles" : "Check its installation"};
+        memory ? "Take a smaller picture or a mesh with fewer tiles" : "Check its installation",
+        memory ? ErrorCode::NoMemory : ErrorCode::Refused};
 }
 } // namespace
 
@@ -255,7 +256,7 @@ Expected<DisplacedMesh> DisplacedMesh::build(
     }
     rtcReleaseGeometry(geometry);
     if (progress.cancelled())
-        return failure("reference", "cancelled");
+        return cancelled("reference");
     if (!vertices || !indices)
         return tl::unexpected(noEmbree(impl->device));
     rtcCommitScene(impl->scene);
@@ -302,10 +303,10 @@ float DisplacedMesh::coarseness() const
     return m->coarseness;
 }
 
-Expected<SeenDistances> distancesSeen(
+Expected<PixelDistances> pixelDistances(
     const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress)
 {
-    SeenDistances seen{width, height, surface.triangles(), std::vector<float>(std::size_t(width) * std::size_t(height))};
+    PixelDistances seen{width, height, surface.triangles(), std::vector<float>(std::size_t(width) * std::size_t(height))};
     const glm::mat4 worldFromClip = glm::inverse(camera.clipFromView * camera.viewFromWorld);
     std::atomic<int> done = 0;
     tbb::parallel_for(0, height, [&](int y) {
@@ -320,7 +321,7 @@ Expected<SeenDistances> distancesSeen(
         progress.at(float(++done) / float(height));
     });
     if (progress.cancelled())
-        return failure("reference", "cancelled");
+        return cancelled("reference");
     return seen;
 }
 

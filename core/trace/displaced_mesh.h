@@ -46,7 +46,7 @@ private:
 };
 
 // What a picture of the camera sees of it.
-struct SeenDistances {
+struct PixelDistances {
     int width = 0, height = 0;
     std::size_t triangles = 0; // micro-triangles of the surface
     // From the eye, row 0 at the top; infinity where nothing is, NaN where the back of an open mesh is seen: relief goes in from the side
@@ -55,7 +55,7 @@ struct SeenDistances {
 
     float at(int x, int y) const { return metres[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
-Expected<SeenDistances> distancesSeen(
+Expected<PixelDistances> pixelDistances(
     const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress = {});
 
 } // namespace relievo

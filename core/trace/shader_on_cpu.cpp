@@ -34,12 +34,12 @@ struct Hit {
 // What heights/heights_exact.glsl, bounds/bounds_exact.glsl and the generated declarations are on the GPU.
 struct Machine : Parameters {
     const HeightField* heightMap = nullptr;
-    const SearchTexture* boundMap = nullptr;
+    const AccelerationMap* boundMap = nullptr;
     int heightBytes = 0, boundBytes = 0; // of a texel as it is uploaded
     mutable int bytes = 0; // fetched so far
 
     static ivec2 textureSize(const HeightField* map, int) { return {map->width(), map->height()}; }
-    bool clamped() const { return wrap == 1; }
+    bool clamped() const { return wrap == Wrap::Clamp; }
     static int searchLevel() { return 0; }
     vec2 searchSize() const { return vec2(boundSize()); }
     ivec2 boundSize() const { return textureSize(heightMap, 0); }
@@ -162,15 +162,15 @@ template <class Technique> CountedHit run(const Parameters& parameters, const Se
     Technique technique;
     static_cast<Parameters&>(technique) = parameters;
     technique.curve = bend;
-    technique.boundMap = maps.bound.get();
-    if (maps.bound) {
-        const Image& image = maps.bound->levels.front();
+    technique.boundMap = maps.acceleration.get();
+    if (maps.acceleration) {
+        const Image& image = maps.acceleration->levels.front();
         technique.boundBytes = image.channels * int(bytesOf(image.type));
     }
     if (maps.height) {
         technique.heightBytes = maps.height->storedBits() <= 16 ? 2 : 4;
         technique.heightMap = &*maps.height;
-        technique.wrap = maps.height->wrap() == Wrap::Clamp ? 1 : 0;
+        technique.wrap = maps.height->wrap();
     }
     const glsl::Hit hit = technique.trace(ray);
     return {hit, technique.bytes};
@@ -203,18 +203,18 @@ Expected<SearchMaps> searchMaps(std::string_view key, const Parameters& paramete
 {
     const TechniqueRow* row = findTechnique(key);
     if (!row)
-        return failure(std::string(key), "there is no such technique", "relievo describe techniques lists them");
-    if (!field && listHas(row->maps, "height"))
+        return failure(ErrorCode::NotFound, std::string(key), "there is no such technique", "relievo describe techniques lists them");
+    if (!field && row->needsHeights())
         return failure(std::string(key), "this technique needs a height map and there is none", "Add one, or use flat or bump");
     SearchMaps maps;
     if (field)
         maps.height = *field;
-    if (row->bound.empty())
+    if (row->accelerationMap.empty())
         return maps;
-    auto bound = searchTexture(row->bound, *field, parameters, false, progress);
+    auto bound = makeAccelerationMap(row->accelerationMap, *field, parameters, false, progress);
     if (!bound)
         return tl::unexpected(bound.error());
-    maps.bound = std::move(*bound);
+    maps.acceleration = std::move(*bound);
     return maps;
 }
 
@@ -232,9 +232,9 @@ Expected<std::vector<SearchHit>> traceRays(
 {
     const TechniqueRow* row = findTechnique(key);
     if (!row)
-        return failure(std::string(key), "there is no such technique", "relievo describe techniques lists them");
+        return failure(ErrorCode::NotFound, std::string(key), "there is no such technique", "relievo describe techniques lists them");
     const HeightField* field = maps.height ? &*maps.height : nullptr;
-    if ((!field && listHas(row->maps, "height")) || (!maps.bound && !row->bound.empty()))
+    if ((!field && row->needsHeights()) || (!maps.acceleration && !row->accelerationMap.empty()))
         return failure(std::string(key), "this technique needs maps that are not there", "Make them by searchMaps");
     const auto found = std::ranges::find(kSearches, row->file, &SearchRow::file);
     std::optional<ExactSearch> exact;
@@ -253,7 +253,7 @@ Expected<std::vector<SearchHit>> traceRays(
         progress.at(float(done += range.size()) / float(rays.size()));
     });
     if (progress.cancelled())
-        return failure(std::string(key), "cancelled");
+        return cancelled(std::string(key));
     return hits;
 }
 

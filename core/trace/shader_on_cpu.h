@@ -5,7 +5,7 @@
 #include "core/ground/error.h"
 #include "core/ground/progress.h"
 #include "core/image/height_field.h"
-#include "core/maps/acceleration/search_texture.h"
+#include "core/maps/acceleration/acceleration_map.h"
 #include "core/state/parameters.h"
 #include "core/trace/ray.h"
 #include <glm/vec3.hpp>
@@ -17,10 +17,10 @@
 
 namespace relievo {
 
-// What a search reads: the height field (its wrap mode counts) and the bound map of its technique's row.
+// What a search reads: the height field (its wrap mode counts) and the acceleration map of its technique's row.
 struct SearchMaps {
     std::optional<HeightField> height;
-    std::shared_ptr<const SearchTexture> bound;
+    std::shared_ptr<const AccelerationMap> acceleration;
 };
 // The maps of technique `key` on a field, baked or from the cache. `field` may be null for techniques whose row names no maps.
 // Errors: unknown technique, a height map that is wanted and missing, those of the bake.

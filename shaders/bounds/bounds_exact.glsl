@@ -1,4 +1,4 @@
-// Bound maps of the finest level, interpolated here: the same numbers on every machine.
+// Acceleration maps of the finest level, interpolated here: the same numbers on every machine.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 vec4 boundAt(vec2 uv)

@@ -1,4 +1,4 @@
-// What the stored values of the bound map are multiplied by, at the level that is searched.
+// What the stored values of the acceleration map are multiplied by, at the level that is searched.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 vec4 boundScale()

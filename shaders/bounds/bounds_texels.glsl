@@ -1,4 +1,4 @@
-// Bound maps that are read texel by texel.
+// Acceleration maps that are read texel by texel.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 #include "bounds/bounds_scale.glsl"

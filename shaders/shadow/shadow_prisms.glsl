@@ -1,5 +1,5 @@
 // Self-shadow on a mesh as it is: from the point seen the light is followed from prism to prism (sight/prisms.glsl) until it leaves the relief. Each
-// passage is searched from its far end, as a ray of sight from there would be.
+// passage is searched from its far end, as a view ray from there would be.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 bool lightIsHidden(Surface surface, vec3 toLight)

@@ -1,4 +1,4 @@
-// Looking at a curved surface (Oliveira and Policarpo 2005; RTM report, section 4.4): the ray of sight may leave the relief again, and where
+// Looking at a curved surface (Oliveira and Policarpo 2005; RTM report, section 4.4): the view ray may leave the relief again, and where
 // it does so without a hit the pixel is past the outline. Near a point the surface falls below its tangent plane by a quadric; ours has the
 // mixed term, which the papers leave out.
 // SPDX-FileCopyrightText: The Relievo authors
@@ -29,7 +29,7 @@ float overSine(float sine)
 
 // A ray sees the surface as a circle: radius and relief are told by the narrowing c = depth / radius, negative in hollows. Ways along it are
 // measured by w, its shift in texture space over that of a ray into a plane down to the full depth, since that is what the search sees.
-float stretch = 1.0f; // w at the end of the search along the ray of sight
+float stretch = 1.0f; // w at the end of the search along the view ray
 float narrowing = 0.0f; // c of that ray
 
 // Way in space of a w, in ways to the full depth below a plane.

@@ -1,4 +1,4 @@
-// Looking at a mesh as it is: in each prism of its shell (sight/prisms.glsl) the ray of sight is straight in texture space, and it goes from prism
+// Looking at a mesh as it is: in each prism of its shell (sight/prisms.glsl) the view ray is straight in texture space, and it goes from prism
 // to prism, over UV seams too, until it hits the relief or leaves it.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT

@@ -1,4 +1,4 @@
-// Looking at a surface taken for flat: the ray of sight and the ray from the light are straight.
+// Looking at a surface taken for flat: the view ray and the ray from the light are straight.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 Ray sightRay(Frame frame, vec3 toEye, float depth)

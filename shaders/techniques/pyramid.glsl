@@ -1,6 +1,6 @@
 // Maximum mipmaps: down the pyramid where the ray may touch a node, up again where it leaves a parent; the leaf is solved exactly.
 // Tevs, Ihrke, Seidel 2008, Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering. The finest level is the four
-// corners themselves. Levels lie on shelves of one texture (core/maps/acceleration/search_texture.h), sized by rounding up.
+// corners themselves. Levels lie on shelves of one texture (core/maps/acceleration/acceleration_map.h), sized by rounding up.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 #include "search/cell_solve.glsl"

@@ -46,20 +46,21 @@ struct Broken {
 Error inWords(const Broken& broken, bool writes, const std::string& where)
 {
     const char* const cure = writes ? "Free memory, or write a smaller picture" : "The file is probably damaged: export it again";
+    const ErrorCode code = writes ? ErrorCode::NotWritable : ErrorCode::Unreadable;
     switch (broken.trouble) {
     case HelperTrouble::None:
-        return {broken.what, where, broken.hint};
+        return {broken.what, where, broken.hint, code};
     case HelperTrouble::NotFound:
         return {"the program relievo-imageio, which reads and writes images, could not be started", where,
             "Install it beside relievo, or set RELIEVO_IMAGEIO to its path"};
     case HelperTrouble::TimedOut:
-        return {"the image library made no progress for 20 seconds", where, cure};
+        return {"the image library made no progress for 20 seconds", where, cure, code};
     case HelperTrouble::Cancelled:
-        return {"cancelled", where, ""};
+        return cancelled(where).value();
     case HelperTrouble::Died:
         break;
     }
-    return {"the image library crashed or ran out of memory on this file", where, cure};
+    return {"the image library crashed or ran out of memory on this file", where, cure, code};
 }
 
 class Conversation {
@@ -162,7 +163,7 @@ Expected<Reply> ask(Message message, const PacketWriter& packet, Payload payload
     Helper& one = helper();
     const std::scoped_lock lock(one.mutex);
     if (one.hangs.refuses(HangGuard::Clock::now()))
-        return failure(where, "the program relievo-imageio, which reads and writes images, hangs",
+        return failure(ErrorCode::Unreadable, where, "the program relievo-imageio, which reads and writes images, hangs",
             "Install it again, or set RELIEVO_IMAGEIO to another one; it is tried again after a minute");
     for (;;) {
         bool fresh = false;
@@ -183,13 +184,13 @@ Expected<void> checkReadable(const fs::path& file)
     std::error_code code;
     const fs::file_status status = fs::status(file, code);
     if (!fs::exists(status))
-        return failure(file.string(), "there is no such file", "Check the path");
+        return failure(ErrorCode::NotFound, file.string(), "there is no such file", "Check the path");
     if (fs::is_directory(status))
-        return failure(file.string(), "this is a folder, not an image", "Name a file in it");
+        return failure(ErrorCode::Unreadable, file.string(), "this is a folder, not an image", "Name a file in it");
     if (!fs::is_regular_file(status))
-        return failure(file.string(), "this is not a regular file", "Name an image file");
+        return failure(ErrorCode::Unreadable, file.string(), "this is not a regular file", "Name an image file");
     if (!std::ifstream(file, std::ios::binary))
-        return failure(file.string(), "the file cannot be read", "Check its permissions");
+        return failure(ErrorCode::Unreadable, file.string(), "the file cannot be read", "Check its permissions");
     return {};
 }
 
@@ -209,7 +210,8 @@ Expected<ImageRead> imageOf(Expected<Reply> reply, const std::string& where)
     read.warnings = std::move(reply->warnings);
     if (read.image.data.empty()
         || read.image.data.size() != read.image.texelCount() * std::size_t(read.image.channels) * bytesOf(read.image.type))
-        return failure(where, "the image library returned too few pixels", "The file is probably damaged: export it again");
+        return failure(
+            ErrorCode::Unreadable, where, "the image library returned too few pixels", "The file is probably damaged: export it again");
     for (Warning& warning : read.warnings)
         warning.text = fs::path(where).filename().string() + ": " + warning.text;
     return read;
@@ -241,7 +243,7 @@ Expected<std::vector<std::byte>> encode(const Image& image, bool srgb, const std
 {
     const std::size_t bytes = image.texelCount() * std::size_t(image.channels) * bytesOf(image.type);
     if (image.width < 1 || image.height < 1 || image.channels < 1 || image.channels > 4 || image.data.size() != bytes)
-        return failure(where, "there are no pixels to write");
+        return failure(ErrorCode::Unreadable, where, "there are no pixels to write");
     WriteRequest request{suffix, std::uint64_t(image.width), std::uint64_t(image.height), std::uint64_t(image.channels),
         std::uint64_t(image.type), srgb, ""};
     return encode(request, image.data, where);
@@ -319,7 +321,7 @@ Expected<void> writeImage(const fs::path& file, const Image& image, bool srgb)
 Expected<void> writeLayers(const fs::path& exrFile, std::span<const ImageLayer> layers)
 {
     if (layers.empty() || !std::ranges::all_of(layers, [&](const ImageLayer& layer) { return fits(layer, layers[0].image); }))
-        return failure(exrFile.string(), "the layers are not float pictures of one size");
+        return failure(ErrorCode::Unreadable, exrFile.string(), "the layers are not float pictures of one size");
     WriteRequest request{
         "exr", std::uint64_t(layers[0].image.width), std::uint64_t(layers[0].image.height), 0, std::uint64_t(PixelType::F32), 0, ""};
     for (const ImageLayer& layer : layers) {

@@ -199,7 +199,7 @@ Expected<SetPlan> planSource(const fs::path& source)
     std::error_code code;
     const fs::file_status status = fs::status(source, code);
     if (!fs::exists(status))
-        return failure(source.string(), "there is no such file or folder", "Check the path");
+        return failure(ErrorCode::NotFound, source.string(), "there is no such file or folder", "Check the path");
     return fs::is_directory(status) ? planFolder(source) : planImage(source);
 }
 

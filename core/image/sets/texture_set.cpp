@@ -39,7 +39,7 @@ public:
             decode(choices);
         } while (lookAtPixels() && !m_progress.cancelled());
         if (m_progress.cancelled())
-            return failure(m_source.string(), "cancelled");
+            return cancelled(m_source.string());
         if (choices.empty())
             return tl::unexpected(m_firstError.value_or(Error{"none of the images can be used", m_source.string(),
                 m_set.warnings.empty() ? "See the warnings of each" : m_set.warnings.front().text}));
@@ -276,7 +276,7 @@ MapSlots TextureSet::slots() const
 Expected<TextureSet> openTextureSet(const fs::path& source, const Progress& progress)
 {
     if (source.empty())
-        return failure("SOURCE", "there is no such file or folder", "Check the path");
+        return failure(ErrorCode::NotFound, "SOURCE", "there is no such file or folder", "Check the path");
     const fs::path path = absolutePath(source);
     Expected<SetPlan> plan = planSource(path);
     if (!plan)

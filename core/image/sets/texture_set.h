@@ -19,7 +19,26 @@ using DecodedImages = std::map<std::filesystem::path, std::shared_ptr<const Imag
 
 // How a map is to be read, as measured from its pixels where it can be, else as its name says.
 enum class Convention { Height, Depth, GL, DX, Unsure, Srgb, Linear };
-inline constexpr std::array<std::string_view, 7> kConventionKeys = {"height", "depth", "gl", "dx", "unsure", "srgb", "linear"};
+constexpr std::string_view wordOf(Convention convention)
+{
+    switch (convention) {
+    case Convention::Height:
+        return "height";
+    case Convention::Depth:
+        return "depth";
+    case Convention::GL:
+        return "gl";
+    case Convention::DX:
+        return "dx";
+    case Convention::Unsure:
+        return "unsure";
+    case Convention::Srgb:
+        return "srgb";
+    case Convention::Linear:
+        return "linear";
+    }
+    return {};
+}
 
 struct FoundMap {
     MapKind kind;

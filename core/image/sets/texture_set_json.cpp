@@ -8,9 +8,9 @@ namespace relievo {
 namespace {
 nlohmann::ordered_json jsonOf(const FoundMap& map, const std::filesystem::path& folder)
 {
-    return {{"kind", row(map.kind).key}, {"file", map.file.lexically_relative(folder).string()},
-        {"channel", kChannelKeys[std::size_t(map.channel)]}, {"width", map.info.width}, {"height", map.info.height},
-        {"bits", map.info.storedBits}, {"convention", kConventionKeys[std::size_t(map.convention)]}, {"min", map.min}, {"max", map.max}};
+    return {{"kind", row(map.kind).key}, {"file", map.file.lexically_relative(folder).string()}, {"channel", wordOf(map.channel)},
+        {"width", map.info.width}, {"height", map.info.height}, {"bits", map.info.storedBits}, {"convention", wordOf(map.convention)},
+        {"min", map.min}, {"max", map.max}};
 }
 } // namespace
 

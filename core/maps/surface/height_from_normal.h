@@ -18,7 +18,7 @@ namespace relievo {
 // Stops early when cancelled.
 HeightField heightFromNormals(const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress = {});
 
-// The row of kMaps: one channel.
+// The row of kBakedMaps: one channel.
 BakedMap bakeHeightFromNormals(const Image& normals, Wrap wrap, float& depthInTiles, const Progress& progress);
 
 } // namespace relievo

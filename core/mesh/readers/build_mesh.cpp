@@ -354,7 +354,8 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
 {
     dropBroken(raw);
     if (raw.corners.empty())
-        return failure(where, raw.warnings.empty() ? "the file holds no triangles" : "no triangle of the file has finite positions",
+        return failure(ErrorCode::Unreadable, where,
+            raw.warnings.empty() ? "the file holds no triangles" : "no triangle of the file has finite positions",
             "Export a surface of triangles or polygons");
     tellLosses(raw);
     settleOrigin(raw);
@@ -363,7 +364,7 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
     for (std::size_t i = 0; i < raw.corners.size() && !anyArea; i += 3)
         anyArea = hasArea(i);
     if (!anyArea)
-        return failure(where, "none of its triangles has an area", "Export a surface that can be seen");
+        return failure(ErrorCode::Unreadable, where, "none of its triangles has an area", "Export a surface that can be seen");
     Mesh mesh;
     const auto allHave = [&raw](std::uint32_t Corner::*member) {
         return std::ranges::all_of(raw.corners, [member](const Corner& corner) { return corner.*member != kNone; });
@@ -377,12 +378,12 @@ Expected<Mesh> buildMesh(RawMesh raw, const std::string& where, const Progress& 
     mesh.repeatedVertices = tuples.repeated;
     progress.at(0.6f);
     if (progress.cancelled())
-        return failure(where, "cancelled");
+        return cancelled(where);
     makeNormals(raw);
     makeUVs(raw);
     progress.at(0.8f);
     if (progress.cancelled())
-        return failure(where, "cancelled");
+        return cancelled(where);
     const std::vector<glm::vec4> tangents = joinCorners(raw, mesh);
     mesh.name = std::move(raw.name);
     mesh.parts = std::move(raw.parts);

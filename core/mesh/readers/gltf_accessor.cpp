@@ -16,7 +16,10 @@ const char* const kHint = "Check the file with a glTF validator and export it ag
 struct Failing {
     const std::string& where;
     std::string name;
-    tl::unexpected<Error> operator()(const std::string& what) const { return failure(where, name + ' ' + what, kHint); }
+    tl::unexpected<Error> operator()(const std::string& what) const
+    {
+        return failure(ErrorCode::Unreadable, where, name + ' ' + what, kHint);
+    }
 };
 
 // `count` elements of `bytes` each, `stride` apart.

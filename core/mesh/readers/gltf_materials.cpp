@@ -161,9 +161,9 @@ private:
             relief.technique = technique.Get<std::string>();
         for (const ParameterRow& row : kParameters) {
             const tinygltf::Value& value = member(extension, std::string(row.key).c_str());
-            if (row.group == Group::Search && value.IsBool())
+            if (row.affects.contains(Affects::Search) && value.IsBool())
                 relief.search.emplace_back(row.key, value.Get<bool>() ? 1.0 : 0.0);
-            else if (row.group == Group::Search && value.IsNumber())
+            else if (row.affects.contains(Affects::Search) && value.IsNumber())
                 relief.search.emplace_back(row.key, value.GetNumberAsDouble());
         }
         m_material.relief = std::move(relief);

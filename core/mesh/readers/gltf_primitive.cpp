@@ -50,7 +50,8 @@ Expected<std::vector<std::uint32_t>> trianglesOf(
     }
     for (const std::uint32_t index : indices)
         if (index >= vertices)
-            return failure(where, "a triangle names the vertex " + std::to_string(index) + " of " + std::to_string(vertices), kDamaged);
+            return failure(ErrorCode::Unreadable, where,
+                "a triangle names the vertex " + std::to_string(index) + " of " + std::to_string(vertices), kDamaged);
     return triples(modeOf(primitive), std::move(indices));
 }
 
@@ -97,7 +98,7 @@ Expected<std::vector<float>> readAttribute(const tinygltf::Model& model, const s
         return std::vector<float>();
     Expected<std::vector<float>> values = readFloats(model, found->second, components, where);
     if (values && values->size() != count * std::size_t(components))
-        return failure(where, "a primitive has another number of " + key + " than of positions", kDamaged);
+        return failure(ErrorCode::Unreadable, where, "a primitive has another number of " + key + " than of positions", kDamaged);
     return values;
 }
 
@@ -106,11 +107,11 @@ Expected<GltfPrimitive> readPrimitive(
 {
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end())
-        return failure(where, "a primitive has no positions", kDamaged);
+        return failure(ErrorCode::Unreadable, where, "a primitive has no positions", kDamaged);
     if (primitive.extensions.contains("KHR_draco_mesh_compression") && std::size_t(position->second) < model.accessors.size()
         && model.accessors[std::size_t(position->second)].bufferView < 0)
-        return failure(
-            where, "its triangles are compressed by KHR_draco_mesh_compression, which is not read", "Export it without compression");
+        return failure(ErrorCode::Unreadable, where, "its triangles are compressed by KHR_draco_mesh_compression, which is not read",
+            "Export it without compression");
     Expected<std::vector<float>> points = readFloats(model, position->second, 3, where);
     if (!points)
         return tl::unexpected(points.error());

@@ -40,7 +40,8 @@ public:
         if (!done)
             return tl::unexpected(done.error());
         if (m_raw.corners.empty())
-            return failure(m_where, m_lines > 0 ? "the file holds points and lines, but no triangles" : "its scene holds no triangles",
+            return failure(ErrorCode::Unreadable, m_where,
+                m_lines > 0 ? "the file holds points and lines, but no triangles" : "its scene holds no triangles",
                 m_vanished > 0 ? "Its nodes are scaled to nothing: give them a size" : "Export a scene with a mesh in it");
         if (m_lines > 0)
             m_raw.warn("lines-skipped", std::to_string(m_lines) + " primitives of points or lines were left out.");
@@ -62,7 +63,7 @@ private:
         glm::dmat4 world; // double: shared by what stands far from the origin
     };
 
-    tl::unexpected<Error> damaged(std::string what) const { return failure(m_where, std::move(what), kDamaged); }
+    tl::unexpected<Error> damaged(std::string what) const { return failure(ErrorCode::Unreadable, m_where, std::move(what), kDamaged); }
 
     // Whether nothing but a point or a line is left of what is scaled so.
     static bool vanishes(const glm::mat3& linear)
@@ -129,7 +130,7 @@ private:
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
                 open.push_back({*child, world});
             if (m_progress.cancelled())
-                return failure(m_where, "cancelled");
+                return cancelled(m_where);
         }
         return {};
     }
@@ -169,7 +170,8 @@ private:
         m_withoutData += read->hasData ? 0 : read->vertices();
         if (before + read->vertices() > kMostVertices || m_raw.corners.size() + read->indices.size() > kMostCorners
             || m_withoutData > kMostWithoutData)
-            return failure(m_where, "the scene has more vertices or triangles than can be held", "Split it, or show its meshes less often");
+            return failure(ErrorCode::Unreadable, m_where, "the scene has more vertices or triangles than can be held",
+                "Split it, or show its meshes less often");
         tellUVSet(part.material, space.set, read->uvSet);
         const glm::dmat4 world = m_deformation.storedAt(primitive, place.node, place.world);
         append(*read, space, world);

@@ -49,7 +49,7 @@ public:
             if ((m_line & 0x3fff) == 0) {
                 m_progress.at(0.5f * (1.f - float(lines.rest().size()) / float(text.size())));
                 if (m_progress.cancelled())
-                    return failure(m_where, "cancelled");
+                    return cancelled(m_where);
             }
             std::string joined; // a backslash continues on the next line
             while (goesOn(*line)) {
@@ -137,7 +137,7 @@ private:
         what += "\", but ";
         what += std::to_string(m_raw.positions.size());
         what += " are defined above it";
-        return failure(m_where, what, "Export the file again; its faces are damaged");
+        return failure(ErrorCode::Unreadable, m_where, what, "Export the file again; its faces are damaged");
     }
 
     Expected<void> face(TextCursor& words)
@@ -175,11 +175,12 @@ private:
     Expected<RawMesh> finished()
     {
         if (m_raw.corners.size() > 0xffffffffu)
-            return failure(m_where, "the mesh has more corners than can be counted in 32 bits", "Split it");
+            return failure(ErrorCode::Unreadable, m_where, "the mesh has more corners than can be counted in 32 bits", "Split it");
         if (m_raw.corners.empty() && m_freeForm > 0)
-            return failure(m_where, "the file holds curved surfaces, not polygons", "Export it as polygons");
+            return failure(ErrorCode::Unreadable, m_where, "the file holds curved surfaces, not polygons", "Export it as polygons");
         if (m_raw.corners.empty())
-            return failure(m_where, m_skipped > 0 ? "the file holds points and lines, but no faces" : "the file holds no faces",
+            return failure(ErrorCode::Unreadable, m_where,
+                m_skipped > 0 ? "the file holds points and lines, but no faces" : "the file holds no faces",
                 "Export a surface of triangles or polygons");
         std::stable_sort(m_runs.begin(), m_runs.end(), [](const Run& a, const Run& b) { return a.part < b.part; });
         m_raw.parts.resize(m_partNumbers.size());
@@ -240,7 +241,7 @@ Expected<RawMesh> readObj(const std::filesystem::path& file, const Progress& pro
     if (!text)
         return tl::unexpected(text.error());
     if (text->empty())
-        return failure(file.string(), "the file is empty", "Export it again");
+        return failure(ErrorCode::Unreadable, file.string(), "the file is empty", "Export it again");
     return ObjParser(file.string(), progress).parse(plainText(std::move(*text)));
 }
 

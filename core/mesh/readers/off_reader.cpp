@@ -40,7 +40,7 @@ public:
         m_hasNormals = magic.ends_with("NOFF");
         std::string_view first = words.word();
         if (first == "BINARY")
-            return failure(m_where, "binary OFF files are not read", "Save it as text, or as PLY");
+            return failure(ErrorCode::Unreadable, m_where, "binary OFF files are not read", "Save it as text, or as PLY");
         if (first.empty()) {
             words = TextCursor(contentLine(lines).value_or(""));
             first = words.word();
@@ -59,7 +59,7 @@ public:
                 return damaged("face " + std::to_string(i) + " of " + std::to_string(*faces)
                     + " is missing or names a vertex that the file does not hold");
             if ((i & 0xffff) == 0 && progress.cancelled())
-                return failure(m_where, "cancelled");
+                return cancelled(m_where);
         }
         m_raw.countsUnused = true;
         m_raw.parts = {{"", "", 0, std::uint32_t(m_raw.corners.size())}};
@@ -67,7 +67,10 @@ public:
     }
 
 private:
-    tl::unexpected<Error> damaged(std::string what) const { return failure(m_where, std::move(what), "Export the file again"); }
+    tl::unexpected<Error> damaged(std::string what) const
+    {
+        return failure(ErrorCode::Unreadable, m_where, std::move(what), "Export the file again");
+    }
 
     bool addVertex(std::optional<std::string_view> line)
     {
@@ -125,7 +128,7 @@ Expected<RawMesh> readOff(const std::filesystem::path& file, const Progress& pro
     if (!text)
         return tl::unexpected(text.error());
     if (text->empty())
-        return failure(file.string(), "the file is empty", "Export it again");
+        return failure(ErrorCode::Unreadable, file.string(), "the file is empty", "Export it again");
     return OffParser(file.string()).parse(*text, progress);
 }
 

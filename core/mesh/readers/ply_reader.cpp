@@ -53,7 +53,8 @@ struct Header {
 
 Expected<Header> parseHeader(std::string_view text, const std::string& where)
 {
-    const auto damaged = [&where](std::string what) { return failure(where, std::move(what), "Export the file again"); };
+    const auto damaged
+        = [&where](std::string what) { return failure(ErrorCode::Unreadable, where, std::move(what), "Export the file again"); };
     TextCursor lines(text);
     Header header;
     bool hasFormat = false;
@@ -218,9 +219,9 @@ public:
                 return tl::unexpected(done.error());
         }
         if (m_raw.corners.empty())
-            return failure(m_where, "the file holds points, but no faces", "Make a surface of the points first");
+            return failure(ErrorCode::Unreadable, m_where, "the file holds points, but no faces", "Make a surface of the points first");
         if (m_raw.corners.size() > 0xffffffffu)
-            return failure(m_where, "the mesh has more corners than can be counted in 32 bits", "Split it");
+            return failure(ErrorCode::Unreadable, m_where, "the mesh has more corners than can be counted in 32 bits", "Split it");
         m_raw.cutNumbers = m_values.cutNumbers();
         m_raw.countsUnused = true;
         m_raw.parts = {{"", "", 0, std::uint32_t(m_raw.corners.size())}};
@@ -228,14 +229,17 @@ public:
     }
 
 private:
-    tl::unexpected<Error> damaged(std::string what) const { return failure(m_where, std::move(what), "Export the file again"); }
+    tl::unexpected<Error> damaged(std::string what) const
+    {
+        return failure(ErrorCode::Unreadable, m_where, std::move(what), "Export the file again");
+    }
 
     Expected<void> checkpoint(const Element& element, std::size_t i)
     {
         if (m_values.failed())
             return damaged("the data end in \"" + element.name + "\" " + std::to_string(i) + " of " + std::to_string(element.count));
         if ((i & 0xffff) == 0 && m_progress.cancelled())
-            return failure(m_where, "cancelled");
+            return cancelled(m_where);
         return {};
     }
 

@@ -125,9 +125,9 @@ Expected<void> runReader(const std::string& bytes, Collector& collector, const s
         std::istringstream stream(bytes);
         IO::Options options = IO::Options::Binary;
         if (!IO::STLReader().read(stream, collector, options))
-            return failure(where, "the file could not be understood", "Export it again");
+            return failure(ErrorCode::Unreadable, where, "the file could not be understood", "Export it again");
     } catch (const std::exception& problem) {
-        return failure(where, std::string("the file could not be read (") + problem.what() + ")", "Export it again");
+        return failure(ErrorCode::Unreadable, where, std::string("the file could not be read (") + problem.what() + ")", "Export it again");
     }
     return {};
 }
@@ -151,13 +151,13 @@ public:
             readText();
         if (m_facets == 0) {
             if (m_bytes.size() < kHeaderBytes || m_bytes.size() < expected)
-                return failure(m_where, saysSolid ? "the file holds no facets" : "the file is shorter than its count of triangles says",
-                    "Export it again");
+                return failure(ErrorCode::Unreadable, m_where,
+                    saysSolid ? "the file holds no facets" : "the file is shorter than its count of triangles says", "Export it again");
             if (Expected<void> done = readBinary(); !done)
                 return tl::unexpected(done.error());
         }
         if (m_progress.cancelled())
-            return failure(m_where, "cancelled");
+            return cancelled(m_where);
         return finished();
     }
 
@@ -223,7 +223,7 @@ private:
     Expected<RawMesh> finished()
     {
         if (m_raw.corners.empty())
-            return failure(m_where, "none of its facets has three different corners", "Export it again");
+            return failure(ErrorCode::Unreadable, m_where, "none of its facets has three different corners", "Export it again");
         if (m_whole < m_facets)
             m_raw.warn(
                 "triangles-dropped", std::to_string(m_facets - m_whole) + " faces without area or with broken corners were left out.");
@@ -249,7 +249,7 @@ Expected<RawMesh> readStl(const std::filesystem::path& file, const Progress& pro
     if (!bytes)
         return tl::unexpected(bytes.error());
     if (bytes->empty())
-        return failure(file.string(), "the file is empty", "Export it again");
+        return failure(ErrorCode::Unreadable, file.string(), "the file is empty", "Export it again");
     return StlParser(*bytes, file.string(), progress).parse();
 }
 

@@ -1,4 +1,4 @@
-// The bound map of a technique as a texture of the search: every mip level baked from that level's own heights.
+// The acceleration map of a technique as a texture of the search: every mip level baked from that level's own heights.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace relievo {
 
-struct MapRow;
+struct BakedMapRow;
 
 // The field's mip levels, finest first: areas averaged, sizes halved rounding down as OpenGL's, until neither exceeds 2 (so that
 // maps of half the size have as many). Heights of fields with at most 16 stored bits are rounded to 16 bits, as they lie in the texture:
@@ -25,7 +25,7 @@ int levelCount(const HeightField& field); // how many there are
 // pyramid is one image: level l (from 1 on; level 0 are the corners themselves) of height level i stands on shelf i + l, in slot l - 1.
 // Shelf s has slots of ceil(W / 2^s) x ceil(H / 2^s) texels and lies below the shelves 1 to s - 1. A volume is one level: that of the
 // finest heights serves all.
-struct SearchTexture {
+struct AccelerationMap {
     std::vector<Image> levels;
     int slices = 1; // of a volume, one below the other in the image
     MapForm form = MapForm::Filtered;
@@ -36,12 +36,12 @@ struct SearchTexture {
 inline constexpr int kMaxHeightLevels = 16; // room for scales in the shaders: textures of up to 32768 texels
 
 // The same from maps baked already, one for each height level of `field` (a volume: the finest one's each time).
-std::shared_ptr<const SearchTexture> searchTextureOf(
-    const MapRow& row, const std::vector<std::shared_ptr<const BakedMap>>& maps, const HeightField& field);
+std::shared_ptr<const AccelerationMap> accelerationMapOf(
+    const BakedMapRow& row, const std::vector<std::shared_ptr<const BakedMap>>& maps, const HeightField& field);
 
-// `bound`: a row of kMaps that a technique names. allLevels: for pictures with mip levels; else the finest only.
+// `bound`: a row of kBakedMaps that a technique names. allLevels: for pictures with mip levels; else the finest only.
 // Baked, or from the cache. Errors: those of the bake.
-Expected<std::shared_ptr<const SearchTexture>> searchTexture(
+Expected<std::shared_ptr<const AccelerationMap>> makeAccelerationMap(
     std::string_view bound, const HeightField& field, const Parameters& parameters, bool allLevels, const Progress& progress = {});
 
 } // namespace relievo

@@ -1,7 +1,7 @@
-// Bound maps for every mip level, put together for the search.
+// Acceleration maps for every mip level, put together for the search.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/maps/acceleration/search_texture.h"
+#include "core/maps/acceleration/acceleration_map.h"
 #include "core/maps/maps.h"
 #include "core/maps/memory_guard.h"
 #include <algorithm>
@@ -127,7 +127,7 @@ int levelCount(const HeightField& field)
     return count;
 }
 
-std::size_t SearchTexture::bytes() const
+std::size_t AccelerationMap::bytes() const
 {
     std::size_t sum = 0;
     for (const Image& level : levels)
@@ -135,10 +135,10 @@ std::size_t SearchTexture::bytes() const
     return sum;
 }
 
-std::shared_ptr<const SearchTexture> searchTextureOf(
-    const MapRow& row, const std::vector<std::shared_ptr<const BakedMap>>& maps, const HeightField& field)
+std::shared_ptr<const AccelerationMap> accelerationMapOf(
+    const BakedMapRow& row, const std::vector<std::shared_ptr<const BakedMap>>& maps, const HeightField& field)
 {
-    auto texture = std::make_shared<SearchTexture>();
+    auto texture = std::make_shared<AccelerationMap>();
     texture->slices = maps.front()->slices;
     texture->form = row.form;
     if (row.form == MapForm::Pyramid)
@@ -153,11 +153,11 @@ std::shared_ptr<const SearchTexture> searchTextureOf(
     return texture;
 }
 
-Expected<std::shared_ptr<const SearchTexture>> searchTexture(
+Expected<std::shared_ptr<const AccelerationMap>> makeAccelerationMap(
     std::string_view bound, const HeightField& field, const Parameters& parameters, bool allLevels, const Progress& progress)
 {
-    const MapRow& row = *findMap(bound);
-    return withinMemory(bound, [&]() -> Expected<std::shared_ptr<const SearchTexture>> {
+    const BakedMapRow& row = *findBakedMap(bound);
+    return withinMemory(bound, [&]() -> Expected<std::shared_ptr<const AccelerationMap>> {
         const std::vector<HeightField> heights = allLevels ? heightLevels(field) : std::vector<HeightField>{field};
         std::vector<std::shared_ptr<const BakedMap>> maps;
         for (std::size_t i = 0; i < heights.size() && int(i) < kMaxHeightLevels; ++i) {
@@ -170,7 +170,7 @@ Expected<std::shared_ptr<const SearchTexture>> searchTexture(
                 return tl::unexpected(map.error());
             maps.push_back(std::move(*map));
         }
-        return searchTextureOf(row, maps, field);
+        return accelerationMapOf(row, maps, field);
     });
 }
 

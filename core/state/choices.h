@@ -1,0 +1,85 @@
+// What can be chosen among a few by name: the kinds of the State's choices, each with its words.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/ground/choice.h"
+
+namespace relievo {
+
+// What lies outside the texture: the tile again, or its border.
+enum class Wrap { Repeat, Clamp };
+constexpr std::string_view wordOf(Wrap wrap)
+{
+    switch (wrap) {
+    case Wrap::Repeat:
+        return "repeat";
+    case Wrap::Clamp:
+        return "clamp";
+    }
+    return {};
+}
+
+// Where the frame of the texture on the mesh comes from.
+enum class Frames { Vertex, Derivatives, Thesis };
+constexpr std::string_view wordOf(Frames frames)
+{
+    switch (frames) {
+    case Frames::Vertex:
+        return "vertex";
+    case Frames::Derivatives:
+        return "derivatives";
+    case Frames::Thesis:
+        return "thesis";
+    }
+    return {};
+}
+
+// How a search ray follows the curved mesh to its outline.
+enum class Silhouettes { Off, Axes, Quadric, Prisms };
+constexpr std::string_view wordOf(Silhouettes silhouettes)
+{
+    switch (silhouettes) {
+    case Silhouettes::Off:
+        return "off";
+    case Silhouettes::Axes:
+        return "axes";
+    case Silhouettes::Quadric:
+        return "quadric";
+    case Silhouettes::Prisms:
+        return "prisms";
+    }
+    return {};
+}
+
+// The shading model.
+enum class Shading { MetallicRoughness, BlinnPhong };
+constexpr std::string_view wordOf(Shading shading)
+{
+    switch (shading) {
+    case Shading::MetallicRoughness:
+        return "metallic-roughness";
+    case Shading::BlinnPhong:
+        return "blinn-phong";
+    }
+    return {};
+}
+
+// What is drawn behind the mesh.
+enum class Backdrop { Plain, Environment, Transparent };
+constexpr std::string_view wordOf(Backdrop background)
+{
+    switch (background) {
+    case Backdrop::Plain:
+        return "plain";
+    case Backdrop::Environment:
+        return "environment";
+    case Backdrop::Transparent:
+        return "transparent";
+    }
+    return {};
+}
+
+// The number of a choice's last option, as a row's limit.
+template <IsChoice E> inline constexpr float kLast = float(kChoices<E> - 1);
+
+} // namespace relievo
