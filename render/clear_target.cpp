@@ -34,7 +34,7 @@ void clearTarget(const Parameters& parameters, const Target& target, bool heat)
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const bool transparent = parameters.background == 2 || (target.linear && heat);
+    const bool transparent = parameters.background == Backdrop::Transparent || (target.linear && heat);
     float color[4] = {0.f, 0.f, 0.f, transparent ? 0.f : 1.f};
     for (int i = 0; i < 3 && !transparent; ++i)
         color[i] = target.linear ? kPlainBackground[i] : srgb(kPlainBackground[i]);

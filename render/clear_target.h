@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "render/renderer.h"
+#include "render/draw_request.h"
 
 namespace relievo {
 

@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pane_values.h"
-#include "core/state/views.h"
 
 namespace relievo {
 
-std::set<MapKind> presentMaps(const Material& material)
+EnumSet<MapKind> presentMaps(const Material& material)
 {
-    std::set<MapKind> maps;
+    EnumSet<MapKind> maps;
     if (material.height)
         maps.insert(MapKind::Height);
     for (const MapKindRow& row : kMapKinds)
@@ -17,20 +16,32 @@ std::set<MapKind> presentMaps(const Material& material)
     return maps;
 }
 
-Parameters drawnParameters(const State& state, std::size_t pane, std::string_view view)
+Parameters drawnParameters(const State& state, std::size_t pane, const ViewRow& view)
 {
     Parameters parameters = effectiveParameters(state, pane);
-    if (const ViewRow* row = findView(view); row && row->isAgainstExact)
+    if (view.isAgainstExact)
         parameters.heightMips = false;
     return parameters;
 }
 
+ProgramFeatures intoShadowMap(ProgramFeatures features, const TechniqueRow& technique)
+{
+    features.view = knownView("depth").key;
+    features.setVariant(&Parameters::shading, 0);
+    features.shadows = features.softShadows = features.objectShadows = false;
+    features.setVariant(&Parameters::edgeFade, 0); // by the eye's view, not the light's
+    features.setVariant(&Parameters::depthOfHit, technique.displaces ? 1 : 0);
+    return features;
+}
+
 ProgramFeatures withoutRelief(ProgramFeatures features)
 {
-    features.technique = "flat";
-    features.maps.clear();
-    features.curved = features.prisms = features.borders = features.depthOfHit = features.faded = features.shadows = features.softShadows
-        = features.coarser = features.clamps = false;
+    features.technique = knownTechnique("flat").key;
+    features.maps = {};
+    features.curved = features.prisms = features.borders = features.shadows = features.softShadows = features.coarser = features.clamps
+        = false;
+    features.setVariant(&Parameters::depthOfHit, 0);
+    features.setVariant(&Parameters::edgeFade, 0);
     return features;
 }
 

@@ -6,13 +6,18 @@
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/state.h"
+#include "core/state/techniques.h"
+#include "core/state/views.h"
 
 namespace relievo {
 
-std::set<MapKind> presentMaps(const Material& material);
+EnumSet<MapKind> presentMaps(const Material& material);
 
 // What the pane needs to be drawn; views against the exact answer measure the search itself, at full resolution.
-Parameters drawnParameters(const State& state, std::size_t pane, std::string_view view);
+Parameters drawnParameters(const State& state, std::size_t pane, const ViewRow& view);
+
+// What the light draws of a picture: its depth.
+ProgramFeatures intoShadowMap(ProgramFeatures features, const TechniqueRow& technique);
 
 // Of parts that the material is not on: grey, smooth, where they are.
 ProgramFeatures withoutRelief(ProgramFeatures features);

@@ -85,8 +85,8 @@ glm::vec2 pixelShift(int k)
     return glm::vec2(radicalInverse(k + 1, 2), radicalInverse(k + 1, 3)) - 0.5f;
 }
 
-Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, const Resources& resources, std::string_view view,
-    int width, int height, int samples, bool linear, bool mayBake)
+Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, Resources& resources, std::string_view view,
+    int width, int height, int samples, bool linear, const std::shared_ptr<const ExactDistances>& exact)
 {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
@@ -94,13 +94,23 @@ Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t 
         return failure("--size", std::to_string(width) + "x" + std::to_string(height) + " cannot be drawn",
             "Up to " + std::to_string(limit) + " pixels a side and " + std::to_string(kMaxPicturePixels / 1'000'000)
                 + " million in all are possible here");
+    if (const TechniqueRow* technique = pane < state.panes.size() ? findTechnique(state.panes[pane].technique) : nullptr)
+        if (const auto made = resources.accelerationMaps.make(*technique, effectiveParameters(state, pane), *resources.material); !made)
+            return tl::unexpected(made.error());
     Framebuffer framebuffer;
     if (const auto made = framebuffer.resize(width, height, linear); !made)
         return tl::unexpected(made.error());
     const std::size_t count = std::size_t(width) * std::size_t(height) * 4;
     const auto draw = [&](int i) {
-        const glm::vec2 jitter = samples == 1 ? glm::vec2(0.f) : pixelShift(i);
-        return renderer.draw(state, pane, resources, view, {framebuffer.handle(), width, height, linear, 1.f, jitter, false, mayBake});
+        DrawRequest request(state, pane, resources,
+            {.framebuffer = framebuffer.handle(),
+                .width = width,
+                .height = height,
+                .linear = linear,
+                .jitter = samples == 1 ? glm::vec2(0.f) : pixelShift(i)},
+            view);
+        request.compareWith(exact);
+        return renderer.draw(request);
     };
     if (linear)
         return summed<float, float>(GL_FLOAT, count, samples, draw, width, height).map([&](const auto& sums) {

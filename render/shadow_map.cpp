@@ -6,7 +6,6 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <variant>
 
 namespace relievo {
 
@@ -23,19 +22,6 @@ SceneUniforms lightUniforms(SceneUniforms uniforms, glm::vec3 boundsMin, glm::ve
     uniforms.worldFromClip = glm::inverse(uniforms.clipFromWorld);
     uniforms.eye = centre + light * (radius * 1e4f); // so far that its rays are parallel
     return uniforms;
-}
-
-Parameters drawnIntoShadowMap(const Parameters& parameters)
-{
-    const Parameters none;
-    Parameters drawn = parameters;
-    for (const ParameterRow& row : kParameters)
-        if (row.group >= Group::Shadows)
-            std::visit([&](auto member) { drawn.*member = none.*member; }, row.member);
-    drawn.shadowMapSize = parameters.shadowMapSize;
-    drawn.lightYaw = parameters.lightYaw, drawn.lightPitch = parameters.lightPitch;
-    drawn.edgeFade = none.edgeFade; // it is of the eye's view
-    return drawn;
 }
 
 void ShadowMap::draw(const ShadowCause& cause, const std::function<void()>& draw)

@@ -16,14 +16,11 @@ namespace relievo {
 // worldFromClip and eye (far away) differ from `uniforms`.
 SceneUniforms lightUniforms(SceneUniforms uniforms, glm::vec3 boundsMin, glm::vec3 boundsMax, float margin);
 
-// Of the parameters those that the map is drawn with; the others by default.
-Parameters drawnIntoShadowMap(const Parameters& parameters);
-
 // What a shadow map shows; where it is the same, the map is.
 struct ShadowCause {
-    Parameters parameters; // by drawnIntoShadowMap
+    Parameters parameters; // those that affect it, the others by default
     std::string technique, part;
-    std::shared_ptr<const void> mesh, material, bound;
+    std::shared_ptr<const void> mesh, material, acceleration;
     bool operator==(const ShadowCause&) const = default;
 };
 

@@ -34,10 +34,11 @@ glm::vec2 pixelShift(int k);
 inline constexpr std::size_t kMaxPicturePixels = std::size_t(8192) * 8192;
 
 // One picture of `width` x `height` pixels, RGBA, row 0 at the top: U8 display values, or F32 linear values when `linear`.
-// At most kMaxPicturePixels pixels (memory). samples: pictures with shifted pixel grids that are averaged, 1 to 64. Needs a current
-// context. mayBake: as of Target.
-Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, const Resources& resources, std::string_view view,
-    int width, int height, int samples, bool linear, bool mayBake = true);
+// At most kMaxPicturePixels pixels (memory). samples: pictures with shifted pixel grids that are averaged, 1 to 64. exact: what a view of
+// errors compares with (DrawRequest::compareWith). Acceleration maps that the pane lacks are made and added to `resources`, which takes
+// time. Needs a current context.
+Expected<Image> drawPicture(Renderer& renderer, const State& state, std::size_t pane, Resources& resources, std::string_view view,
+    int width, int height, int samples, bool linear, const std::shared_ptr<const ExactDistances>& exact = nullptr);
 
 // traceRays of core/trace on the GPU: the same text of technique `key` on the field's base level. Needs a current context.
 // dialect: the language that the text is compiled as; GLSL ES 3.00 is what WebGL2 runs.

@@ -46,7 +46,7 @@ Expected<WindowlessContext> WindowlessContext::create()
     EGLint major = 0, minor = 0;
     if (impl->display == EGL_NO_DISPLAY || !eglInitialize(impl->display, &major, &minor)) {
         impl->display = EGL_NO_DISPLAY;
-        return failure("OpenGL", "there is no EGL display to draw without a window", kNeeded);
+        return failure(ErrorCode::Driver, "OpenGL", "there is no EGL display to draw without a window", kNeeded);
     }
     const EGLint configWish[] = {EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
@@ -58,8 +58,8 @@ Expected<WindowlessContext> WindowlessContext::create()
     impl->context = eglCreateContext(impl->display, count ? config : nullptr, EGL_NO_CONTEXT, contextWish);
     if (impl->context == EGL_NO_CONTEXT || !eglMakeCurrent(impl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl->context)) {
         const char* vendor = eglQueryString(impl->display, EGL_VENDOR);
-        return failure(
-            "OpenGL", std::string("the driver (") + (vendor ? vendor : "unknown") + ") gives no OpenGL 4.1 core context", kNeeded);
+        return failure(ErrorCode::Driver, "OpenGL",
+            std::string("the driver (") + (vendor ? vendor : "unknown") + ") gives no OpenGL 4.1 core context", kNeeded);
     }
     return WindowlessContext(std::move(impl));
 }

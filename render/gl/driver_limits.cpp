@@ -23,8 +23,8 @@ Expected<void> mapFits(int longest)
     const std::size_t limit = limitOf(GL_MAX_TEXTURE_SIZE);
     if (std::size_t(longest) <= limit)
         return {};
-    return failure("OpenGL", "a map is " + std::to_string(longest) + " texels long and this driver takes " + std::to_string(limit),
-        "Make the map smaller");
+    return failure(ErrorCode::Driver, "OpenGL",
+        "a map is " + std::to_string(longest) + " texels long and this driver takes " + std::to_string(limit), "Make the map smaller");
 }
 } // namespace
 
@@ -43,7 +43,7 @@ Expected<void> fitTheDriver(const Material& material, const Mesh& mesh)
     const std::size_t texels = mesh.deformation ? morphTexels(mesh) : 0, limit = texels ? limitOf(GL_MAX_TEXTURE_BUFFER_SIZE) : 0;
     if (texels <= limit)
         return {};
-    return failure("OpenGL",
+    return failure(ErrorCode::Driver, "OpenGL",
         "the morph targets of the mesh take " + std::to_string(texels) + " texels and this driver takes " + std::to_string(limit),
         "Use a mesh with fewer vertices or fewer morph targets");
 }
@@ -59,7 +59,7 @@ Expected<void> memorySufficed()
     }
     if (sufficed)
         return {};
-    return failure("OpenGL", "the maps and the mesh do not fit into the graphics memory",
+    return failure(ErrorCode::Driver, "OpenGL", "the maps and the mesh do not fit into the graphics memory",
         "Use smaller maps, a smaller shadow map or a mesh of fewer triangles");
 }
 
@@ -67,7 +67,7 @@ Expected<void> canBeDrawnTo(int width, int height)
 {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
         return {};
-    return failure("OpenGL",
+    return failure(ErrorCode::Driver, "OpenGL",
         "a picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels does not fit into the driver", "Make it smaller");
 }
 

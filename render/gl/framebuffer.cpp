@@ -1,9 +1,9 @@
-// Off-screen targets.
+// Making and freeing off-screen targets.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/gl/framebuffer.h"
 #include "render/gl/driver_limits.h"
 #include "render/gl/gl_objects.h"
-#include "render/renderer.h"
 
 namespace relievo {
 

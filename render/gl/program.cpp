@@ -31,7 +31,7 @@ Expected<Shader> compile(GLenum stage, const ShaderText& text)
     if (good)
         return shader;
     const std::string log = namedLog(logOf(*shader, glGetShaderiv, glGetShaderInfoLog), text);
-    return failure("shaders", log.substr(0, log.find('\n')), "Mend the shader; the last picture is kept");
+    return failure(ErrorCode::Driver, "shaders", log.substr(0, log.find('\n')), "Mend the shader; the last picture is kept");
 }
 
 struct SetUniform {
@@ -39,6 +39,7 @@ struct SetUniform {
     void operator()(float v) const { glUniform1f(at, v); }
     void operator()(int v) const { glUniform1i(at, v); }
     void operator()(bool v) const { glUniform1i(at, v); }
+    template <IsChoice E> void operator()(E v) const { glUniform1i(at, int(v)); }
     void operator()(const glm::vec2& v) const { glUniform2f(at, v.x, v.y); }
     void operator()(const glm::vec3& v) const { glUniform3f(at, v.x, v.y, v.z); }
     void operator()(const glm::mat2& v) const { glUniformMatrix2fv(at, 1, GL_FALSE, &v[0][0]); }
@@ -63,8 +64,8 @@ Expected<LinkedProgram> LinkedProgram::link(const ProgramText& text)
     GLint good = 0;
     glGetProgramiv(*linked.m_program, GL_LINK_STATUS, &good);
     if (!good)
-        return failure(
-            "shaders", logOf(*linked.m_program, glGetProgramiv, glGetProgramInfoLog), "Mend the shader; the last picture is kept");
+        return failure(ErrorCode::Driver, "shaders", logOf(*linked.m_program, glGetProgramiv, glGetProgramInfoLog),
+            "Mend the shader; the last picture is kept");
     return linked;
 }
 

@@ -2,26 +2,31 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/measure/frame_time.h"
+#include "core/state/techniques.h"
+#include "core/state/views.h"
 #include <algorithm>
 #include <chrono>
 #include <epoxy/gl.h>
 
 namespace relievo {
 
-Expected<std::vector<double>> frameTimes(Renderer& renderer, const Resources& resources, std::span<const TimedFrame> frames, int width,
+Expected<std::vector<double>> frameTimes(Renderer& renderer, Resources& resources, std::span<const TimedFrame> frames, int width,
     int height, int rounds, const Progress& progress)
 {
     Framebuffer framebuffer;
     framebuffer.resize(width, height);
-    const Target target{framebuffer.handle(), width, height};
+    const Target target{.framebuffer = framebuffer.handle(), .width = width, .height = height};
+    for (const TimedFrame& frame : frames)
+        if (const auto made = resources.accelerationMaps.makeFor(frame.state, *resources.material); !made)
+            return tl::unexpected(made.error());
     std::vector<std::vector<double>> times(frames.size());
     for (int round = 0; round <= rounds; ++round)
         for (std::size_t i = 0; i < frames.size(); ++i) {
             if (progress.cancelled())
-                return failure(frames[i].state.name, "cancelled");
+                return cancelled(frames[i].state.name);
             glFinish();
             const auto start = std::chrono::steady_clock::now();
-            if (const auto drawn = renderer.draw(frames[i].state, 0, resources, frames[i].view, target); !drawn)
+            if (const auto drawn = renderer.draw({frames[i].state, 0, resources, target, frames[i].view}); !drawn)
                 return tl::unexpected(drawn.error());
             glFinish();
             if (round > 0)
@@ -38,13 +43,13 @@ Expected<std::vector<double>> frameTimes(Renderer& renderer, const Resources& re
 
 std::string_view timedView(const Resources& resources)
 {
-    return resources.material && resources.material->map(MapKind::Color) ? "color" : "depth";
+    return resources.material && resources.material->map(MapKind::Color) ? knownView("color").key : knownView("depth").key;
 }
 
 TimedFrame plainQuad(const State& state)
 {
-    TimedFrame frame{state, "color"};
-    frame.state.panes = {Pane{"flat", {}}};
+    TimedFrame frame{state, knownView("color").key};
+    frame.state.panes = {Pane{std::string(knownTechnique("flat").key)}};
     return frame;
 }
 

@@ -11,12 +11,12 @@ namespace relievo {
 
 struct TimedFrame {
     State state; // its first pane is drawn
-    std::string view; // key of kViews
+    std::string_view view; // key of kViews
 };
 
 // Milliseconds of each frame: the median of `rounds` rounds, each of which draws all frames in turn, after one that warms up. By the
 // clock between glFinish calls. Needs a current context. Errors: those of Renderer::draw, cancelled.
-Expected<std::vector<double>> frameTimes(Renderer& renderer, const Resources& resources, std::span<const TimedFrame> frames, int width,
+Expected<std::vector<double>> frameTimes(Renderer& renderer, Resources& resources, std::span<const TimedFrame> frames, int width,
     int height, int rounds, const Progress& progress = {});
 
 // The view that a search is timed in: "color", or "depth" where no colour map reads the place of the hit, because a driver leaves out a

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/measure/mesh_errors.h"
+#include "core/state/techniques.h"
+#include "core/state/views.h"
 #include "render/measure/frame_time.h"
 #include <algorithm>
 #include <cmath>
@@ -10,63 +12,31 @@
 
 namespace relievo {
 
-namespace {
-CameraView viewOf(const State& state, const Resources& resources, int width, int height)
+Expected<MeshRow> meshErrors(
+    Renderer& renderer, const State& state, Resources& resources, const std::shared_ptr<const ExactDistances>& exact)
 {
-    return cameraView(state.camera, resources.mesh->boundsMin, resources.mesh->boundsMax, float(width) / float(height));
-}
-} // namespace
-
-bool hasMeshReference(const State& state, const Resources& resources)
-{
-    return state.mesh != "plane" && resources.material->height;
-}
-
-Expected<SeenDistances> exactDistances(
-    const State& state, std::size_t pane, const Resources& resources, int width, int height, Warnings& coarse, const Progress& progress)
-{
-    if (!resources.material->height)
-        return failure(state.name, "there is no height map, so nothing is displaced", "Assign one");
-    const Parameters parameters = effectiveParameters(state, pane);
-    const CameraView camera = viewOf(state, resources, width, height);
-    Mesh mesh = posed(*resources.mesh, poseOf(*resources.mesh, parameters));
-    const std::vector<char> plain = plainParts(*resources.mesh, state.part);
-    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
-        mesh.parts[i].relief = plain[i] != 0 ? 0.f : mesh.parts[i].relief;
-    const auto surface = DisplacedMesh::build(mesh, resources.material->height->withWrap(wrapOf(parameters)), parameters,
-        DisplacedMesh::detailFor(*resources.mesh, camera, state.camera.fov, height), progress);
-    if (!surface)
-        return tl::unexpected(surface.error());
-    if (surface->coarseness() > 1.05f)
-        coarse.push_back({"reference-coarse",
-            "The displaced mesh is " + std::to_string(int(std::ceil(surface->coarseness())))
-                + " times coarser than half a texel or half a pixel: " + std::to_string(surface->triangles()) + " micro-triangles, "
-                + std::to_string(surface->bytes() >> 20) + " MiB. Errors below that size are its own."});
-    return distancesSeen(*surface, camera, width, height, progress);
-}
-
-Expected<MeshRow> meshErrors(Renderer& renderer, const State& state, const Resources& resources, const SeenDistances& exact)
-{
-    const int width = exact.width, height = exact.height;
+    const PixelDistances& pixels = exact->pixels;
+    const int width = pixels.width, height = pixels.height;
     State plain = state;
-    plain.parameters.wireframe = false, plain.parameters.heightMips = false, plain.parameters.background = 2;
-    const auto image = drawPicture(renderer, plain, 0, resources, "position", width, height, 1, true);
+    plain.parameters.wireframe = false, plain.parameters.heightMips = false, plain.parameters.background = Backdrop::Transparent;
+    const auto image = drawPicture(renderer, plain, 0, resources, knownView("position").key, width, height, 1, true);
     if (!image)
         return tl::unexpected(image.error());
-    const CameraView camera = viewOf(state, resources, width, height);
-    const double pixel = 2. * std::tan(0.5 * double(glm::radians(state.camera.fov))) / double(height); // of a metre's distance
+    const Camera& camera = exact->question.camera;
+    const glm::vec3 eye = cameraView(camera, resources.mesh->boundsMin, resources.mesh->boundsMax, float(width) / float(height)).eye;
+    const double pixel = 2. * std::tan(0.5 * double(glm::radians(camera.fov))) / double(height); // of a metre's distance
     MeshRow errors{{}, 0., 0., 0., std::nan("")};
     double either = 0., both = 0.;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const double truth = double(exact.at(x, y));
+            const double truth = double(pixels.at(x, y));
             if (std::isnan(truth))
                 continue;
             const bool covered = image->value(x, y, 3) > 0.5f, hit = std::isfinite(truth);
             either += covered || hit;
             errors.coverage += covered != hit;
             const glm::vec3 point(image->value(x, y, 0), image->value(x, y, 1), image->value(x, y, 2));
-            const double found = double(glm::distance(point, camera.eye));
+            const double found = double(glm::distance(point, eye));
             errors.invalid += covered && !std::isfinite(found);
             if (covered && hit && std::isfinite(found)) {
                 const double off = (found - truth) / (pixel * truth);
@@ -86,12 +56,12 @@ struct Change {
 };
 constexpr Change kChanges[] = {
     {"nothing", [](Parameters&) {}},
-    {"silhouettes: axes, as in the papers", [](Parameters& p) { p.silhouettes = 1; }},
-    {"silhouettes: quadric", [](Parameters& p) { p.silhouettes = 2; }},
-    {"silhouettes: prisms", [](Parameters& p) { p.silhouettes = 3; }},
+    {"silhouettes: axes, as in the papers", [](Parameters& p) { p.silhouettes = Silhouettes::Axes; }},
+    {"silhouettes: quadric", [](Parameters& p) { p.silhouettes = Silhouettes::Quadric; }},
+    {"silhouettes: prisms", [](Parameters& p) { p.silhouettes = Silhouettes::Prisms; }},
     {"depth of the relief", [](Parameters& p) { p.depthOfHit = true; }},
-    {"frames from derivatives", [](Parameters& p) { p.frames = 1; }},
-    {"frames as in the thesis, without skew", [](Parameters& p) { p.frames = 2; }},
+    {"frames from derivatives", [](Parameters& p) { p.frames = Frames::Derivatives; }},
+    {"frames as in the thesis, without skew", [](Parameters& p) { p.frames = Frames::Thesis; }},
     {"fade at edges 0.3", [](Parameters& p) { p.edgeFade = 0.3f; }},
     {"self-shadows", [](Parameters& p) { p.shadows = true; }},
     {"shadows between objects", [](Parameters& p) { p.objectShadows = true; }},
@@ -102,15 +72,15 @@ State changed(const State& state, const Change& change)
 {
     State result = state;
     Parameters& p = result.parameters;
-    p.silhouettes = p.frames = 0, p.edgeFade = 0.f;
+    p.silhouettes = Silhouettes::Off, p.frames = Frames::Vertex, p.edgeFade = 0.f;
     p.depthOfHit = p.shadows = p.objectShadows = p.wireframe = p.heightMips = false;
     change.apply(p);
-    result.panes = {Pane{"cell-cone", {}}};
+    result.panes = {Pane{std::string(knownTechnique("cell-cone").key)}};
     return result;
 }
 } // namespace
 
-Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, const Resources& resources, int width, int height, bool timed,
+Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, Resources& resources, int width, int height, bool timed,
     Warnings& coarse, const Progress& progress)
 {
     State view = state;
@@ -127,7 +97,7 @@ Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, cons
         const auto exact = exactDistances(view, 0, resources, width, height, i == 0 ? coarse : told, Progress{{}, progress.stop});
         if (!exact)
             return tl::unexpected(exact.error());
-        section.triangles = std::max(section.triangles, exact->triangles);
+        section.triangles = std::max(section.triangles, (*exact)->pixels.triangles);
         for (std::size_t k = 0; k < std::size(kChanges); ++k) {
             const auto errors = meshErrors(renderer, changed(view, kChanges[k]), resources, *exact);
             if (!errors)
@@ -142,7 +112,7 @@ Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, cons
         return section;
     std::vector<TimedFrame> frames;
     for (const Change& change : kChanges)
-        frames.push_back({changed(view, change), "shaded"});
+        frames.push_back({changed(view, change), knownView("shaded").key});
     const auto times = frameTimes(renderer, resources, frames, width, height, 9, Progress{{}, progress.stop});
     if (!times)
         return tl::unexpected(times.error());

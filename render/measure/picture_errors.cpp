@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/measure/picture_errors.h"
+#include "core/state/views.h"
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +12,12 @@ namespace {
 
 constexpr const char* kFillingMesh = "plane";
 
-Expected<Image> values(Renderer& renderer, const State& state, const Resources& resources, std::string_view view, int width, int height)
+Expected<Image> values(Renderer& renderer, const State& state, Resources& resources, std::string_view view, int width, int height)
 {
     State plain = state;
     plain.parameters.wireframe = false;
     plain.parameters.heightMips = false;
-    plain.parameters.background = 0;
+    plain.parameters.background = Backdrop::Plain;
     return drawPicture(renderer, plain, 0, resources, view, width, height, 1, true);
 }
 
@@ -33,11 +34,9 @@ State fillingView(const State& state, double angle)
 {
     State view = state;
     view.parameters = effectiveParameters(state, 0);
-    if (!view.panes.empty())
-        view.panes.front().overrides.clear();
+    view.panes = {Pane{state.panes.front().technique}};
     view.mesh = kFillingMesh;
     view.part.clear();
-    view.view = "shaded";
     view.camera = Camera{};
     view.camera.yaw = 0.f;
     view.camera.pitch = float(90. - angle);
@@ -48,24 +47,24 @@ State fillingView(const State& state, double angle)
     p.tiling = 16.f;
     p.midlevel = 1.f;
     p.offsetU = p.offsetV = p.rotation = p.metresPerUV = 0.f;
-    p.wrap = 0;
+    p.wrap = Wrap::Repeat;
     p.heightMips = p.shadows = p.wireframe = false;
-    p.background = 0;
+    p.background = Backdrop::Plain;
     return view;
 }
 
-Expected<PictureErrors> pictureErrors(Renderer& renderer, const State& state, const Resources& resources, int width, int height)
+Expected<PictureErrors> pictureErrors(Renderer& renderer, const State& state, Resources& resources, int width, int height)
 {
     State full = state;
     full.parameters = effectiveParameters(state, 0);
-    full.panes = {Pane{state.panes.front().technique, {}}};
-    const auto difference = values(renderer, full, resources, "error", width, height);
+    full.panes = {Pane{state.panes.front().technique}};
+    const auto difference = values(renderer, full, resources, knownView("error").key, width, height);
     if (!difference)
         return tl::unexpected(difference.error());
-    const auto overshoot = values(renderer, full, resources, "overshoot", width, height);
+    const auto overshoot = values(renderer, full, resources, knownView("overshoot").key, width, height);
     if (!overshoot)
         return tl::unexpected(overshoot.error());
-    const auto fetches = values(renderer, full, resources, "fetches", width, height);
+    const auto fetches = values(renderer, full, resources, knownView("fetches").key, width, height);
     if (!fetches)
         return tl::unexpected(fetches.error());
     PictureErrors errors;

@@ -25,6 +25,6 @@ struct PictureErrors {
 inline constexpr double kMissedDepth = 0.02; // share of the relief's depth
 
 // The State's first pane at full resolution (heightMips off). Needs a current context and a height map.
-Expected<PictureErrors> pictureErrors(Renderer& renderer, const State& state, const Resources& resources, int width, int height);
+Expected<PictureErrors> pictureErrors(Renderer& renderer, const State& state, Resources& resources, int width, int height);
 
 } // namespace relievo

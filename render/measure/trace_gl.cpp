@@ -110,7 +110,7 @@ Expected<std::vector<SearchHit>> traceRaysOnGpu(
     program->use();
     const Wrap wrap = field ? field->wrap() : Wrap::Repeat;
     Parameters used = parameters;
-    used.wrap = wrap == Wrap::Clamp ? 1 : 0;
+    used.wrap = wrap;
     program->set(used);
     Texture heights;
     if (program->reads("heightMap")) {
@@ -121,12 +121,12 @@ Expected<std::vector<SearchHit>> traceRaysOnGpu(
         program->bind("heightMap", GL_TEXTURE_2D, *heights, 0);
         program->set("heightUnits", field->storedBits() <= 16 ? 65535.f : 0.f);
     }
-    SearchUpload bound;
-    if (maps->bound) {
+    AccelerationUpload acceleration;
+    if (maps->acceleration) {
         glActiveTexture(GL_TEXTURE15);
-        bound = uploadSearchTexture(*maps->bound, wrap);
-        bindSearchTexture(*program, bound, 3);
-        const PixelType type = maps->bound->levels.front().type;
+        acceleration = uploadAccelerationMap(*maps->acceleration, wrap);
+        bindAccelerationMap(*program, acceleration, 3);
+        const PixelType type = maps->acceleration->levels.front().type;
         program->set("boundUnits", type == PixelType::U8 ? 255.f : type == PixelType::U16 ? 65535.f : 0.f);
     }
     std::vector<SearchHit> hits(rays.size());

@@ -8,7 +8,7 @@
 #include "core/mesh/edges/coarse.h"
 #include "core/mesh/frames/curvature.h"
 #include "core/mesh/frames/push.h"
-#include "core/scene/source.h"
+#include "core/scene/resources.h"
 #include "render/gl/texture_units.h"
 #include <algorithm>
 #include <cstddef>
@@ -84,7 +84,7 @@ std::vector<glm::vec4> prismTexels(const Mesh& mesh, const std::vector<std::uint
 }
 } // namespace
 
-void MeshUpload::hold(const std::shared_ptr<const Mesh>& mesh)
+void MeshUpload::show(const std::shared_ptr<const Mesh>& mesh)
 {
     if (mesh != std::exchange(m_mesh, mesh))
         *this = MeshUpload(), m_mesh = mesh;
@@ -139,7 +139,7 @@ void MeshUpload::bindPrisms(const LinkedProgram& program, const Pose& pose, std:
     program.bind("prismMap", GL_TEXTURE_BUFFER, m_prisms.texture(), kBorderUnit); // a program reads one of the two
 }
 
-void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part, int curvature)
+void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part, Silhouettes curvature)
 {
     if (m_mesh->deformation && program.reads("poseMap"))
         m_pose.bind(program, *m_mesh, poseOf(*m_mesh, parameters), curvature);
@@ -189,7 +189,7 @@ void MeshUpload::makeCoarse()
     m_coarseFirst = std::move(coarse.firstIndex);
 }
 
-void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature, bool coarse)
+void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, Silhouettes curvature, bool coarse)
 {
     if (!m_vertexArray)
         makeVertices();
@@ -198,10 +198,10 @@ void MeshUpload::draw(const LinkedProgram& program, Parts parts, std::string_vie
         m_push = vectorBuffer(pushDirections(*m_mesh));
         vectorAttribute(5, m_push);
     }
-    if (curvature != 0) {
-        Buffer& falls = m_curvature[curvature == 1 ? 0 : 1];
+    if (curvature != Silhouettes::Off) {
+        Buffer& falls = m_curvature[curvature];
         if (!falls)
-            falls = vectorBuffer(vertexFalls(*m_mesh, curvature == 1));
+            falls = vectorBuffer(vertexFalls(*m_mesh, curvature == Silhouettes::Axes));
         vectorAttribute(6, falls);
     }
     if (coarse && !m_coarse)

@@ -17,7 +17,7 @@ namespace relievo {
 class MeshUpload {
 public:
     // Forgets what belongs to another mesh.
-    void hold(const std::shared_ptr<const Mesh>& mesh);
+    void show(const std::shared_ptr<const Mesh>& mesh);
 
     bool hasBorders(); // whether bordersOf finds any
     // Whether faces away from `eye` may be seen though the fronts cover what lies behind them: not those of a closed mesh, unless the eye
@@ -28,15 +28,15 @@ public:
 
     // Binds the pose that clip and time name, the borders and the prisms, for a program that reads them. part: State::part. curvature: as
     // of draw().
-    void bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part, int curvature);
+    void bind(const LinkedProgram& program, const Parameters& parameters, std::string_view part, Silhouettes curvature);
 
     // Which parts of the mesh a draw is for: those with the relief of the material, or those without any. `part` is State::part.
     enum class Parts { Relief, Plain };
     bool has(Parts parts, std::string_view part) const;
     // Draws their triangles. Attribute locations are those of the vertex stage's files.
-    // pushed: with the directions of core/mesh/frames/push.h, which are made only then. curvature: the parameter `silhouettes`; 0 wants
+    // pushed: with the directions of core/mesh/frames/push.h, which are made only then. curvature: Axes or Quadric; Off wants
     // none. coarse: fewer triangles (core/mesh/edges/coarse.h), for programs that read nothing by triangle.
-    void draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, int curvature, bool coarse);
+    void draw(const LinkedProgram& program, Parts parts, std::string_view part, bool pushed, Silhouettes curvature, bool coarse);
 
 private:
     void makeVertices();
@@ -46,7 +46,7 @@ private:
     std::shared_ptr<const Mesh> m_mesh;
     VertexArray m_vertexArray;
     Buffer m_vertices, m_indices, m_push, m_coarse;
-    std::array<Buffer, 2> m_curvature; // axes and quadric: panes may differ
+    PerChoice<Silhouettes, Buffer> m_curvature; // panes may differ
     std::vector<std::uint32_t> m_coarseFirst; // CoarseTriangles::firstIndex
     std::optional<bool> m_closed;
     std::optional<BufferTexture> m_borders; // without a texture when the mesh has none

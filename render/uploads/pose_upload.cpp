@@ -29,34 +29,35 @@ void PoseUpload::addAttributes(const Mesh& mesh)
     glVertexAttribPointer(8, 4, GL_FLOAT, GL_FALSE, sizeof(Influence), reinterpret_cast<const void*>(offsetof(Influence, weights)));
 }
 
-void PoseUpload::uploadTargets(BufferTexture& to, const Mesh& mesh, int curvature)
+void PoseUpload::uploadTargets(BufferTexture& to, const Mesh& mesh, Silhouettes curvature)
 {
     static_assert(sizeof(MorphDelta) == 3 * sizeof(glm::vec4));
     const std::vector<MorphTarget>& targets = mesh.deformation->targets;
     const std::size_t count = mesh.vertices.size();
     std::vector<glm::vec4> texels(std::max<std::size_t>(morphTexels(mesh), 1), glm::vec4(0.f));
-    const std::vector<glm::vec3> rest = curvature != 0 && !targets.empty() ? vertexFalls(mesh, curvature == 1) : std::vector<glm::vec3>{};
+    const std::vector<glm::vec3> rest
+        = curvature != Silhouettes::Off && !targets.empty() ? vertexFalls(mesh, curvature == Silhouettes::Axes) : std::vector<glm::vec3>{};
     for (std::size_t t = 0; t < targets.size(); ++t) {
         std::vector<glm::vec3> moved;
-        if (curvature != 0) {
+        if (curvature != Silhouettes::Off) {
             Pose pose = bindPose(mesh);
             pose.weights[t] = 1.f;
-            moved = vertexFalls(posed(mesh, pose), curvature == 1);
+            moved = vertexFalls(posed(mesh, pose), curvature == Silhouettes::Axes);
         }
         for (std::size_t i = 0; i < count; ++i) {
             glm::vec4* out = &texels[4 * (t * count + i)];
             std::memcpy(out, &targets[t].deltas[i], sizeof(MorphDelta));
-            if (curvature != 0)
+            if (curvature != Silhouettes::Off)
                 out[3] = glm::vec4(moved[i] - rest[i], 0.f);
         }
     }
     to.fill(texels, GL_STATIC_DRAW);
 }
 
-void PoseUpload::bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, int curvature)
+void PoseUpload::bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, Silhouettes curvature)
 {
     glActiveTexture(GL_TEXTURE0 + kPoseUnit);
-    BufferTexture& morph = m_morph[std::size_t(std::min(curvature, 2))];
+    BufferTexture& morph = m_morph[curvature];
     if (!morph.texture())
         uploadTargets(morph, mesh, curvature);
     std::vector<glm::vec4> texels = {glm::vec4(float(pose.joints.size()), float(pose.weights.size()), float(mesh.vertices.size()), 0.f)};

@@ -16,16 +16,16 @@ class PoseUpload {
 public:
     // Attributes 7 and 8 of the vertex array that is bound.
     void addAttributes(const Mesh& mesh);
-    // Binds poseMap and morphMap for a program that reads them (vertex/place_posed.glsl). curvature: the parameter `silhouettes`; 0 leaves
+    // Binds poseMap and morphMap for a program that reads them (vertex/place_posed.glsl). curvature: Axes or Quadric; Off leaves
     // what morph targets do to the curvature out.
-    void bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, int curvature);
+    void bind(const LinkedProgram& program, const Mesh& mesh, const Pose& pose, Silhouettes curvature);
 
 private:
-    static void uploadTargets(BufferTexture& to, const Mesh& mesh, int curvature);
+    static void uploadTargets(BufferTexture& to, const Mesh& mesh, Silhouettes curvature);
 
     Buffer m_influences;
     BufferTexture m_pose;
-    std::array<BufferTexture, 3> m_morph; // without curvature, axes, quadric: panes may differ
+    PerChoice<Silhouettes, BufferTexture> m_morph; // with the curvature that each reads: panes may differ
 };
 
 } // namespace relievo

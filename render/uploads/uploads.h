@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/scene/source.h"
+#include "core/scene/exact_distances.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/program.h"
+#include "render/uploads/textures.h"
 #include <array>
 #include <map>
 #include <memory>
@@ -14,31 +15,19 @@
 
 namespace relievo {
 
-// A height field as a texture with linear filtering and mip levels: R16 when its source had at most 16 bits (exact, and not
-// filtered in 8-bit fixed point as R8 is on some rasterisers), R32F else.
-Texture uploadHeight(const HeightField& field, bool mips = true);
-
-// A bound map as textures of its kind: floats with linear filter, whole numbers, or a volume. Wrap mode as given.
-struct SearchUpload {
-    Texture texture;
-    GLenum target = GL_TEXTURE_2D;
-    std::string_view sampler; // the name it has in shaders
-    std::vector<glm::vec4> scales;
-};
-SearchUpload uploadSearchTexture(const SearchTexture& map, Wrap wrap);
-void bindSearchTexture(const LinkedProgram& program, const SearchUpload& upload, int unit);
+void bindAccelerationMap(const LinkedProgram& program, const AccelerationUpload& upload, int unit);
 
 class Uploads {
 public:
     // Forgets what belongs to other resources than these.
-    void hold(const Resources& resources);
+    void show(const Resources& resources);
 
     // Binds the maps, the environment and their sizes that the program reads; uploads those that are missing.
-    // bound: row of kMaps and texture of the technique, or nothing.
-    void bindMaps(const LinkedProgram& program, Wrap wrap, std::string_view boundKey, const std::shared_ptr<const SearchTexture>& bound);
+    // acceleration: of the technique, made under `wrap`; or nothing.
+    void bindMaps(const LinkedProgram& program, Wrap wrap, const std::shared_ptr<const AccelerationMap>& acceleration);
 
-    // Resources::seen, for a program that reads it.
-    void bindSeen(const LinkedProgram& program);
+    // The exact answer of a pane's picture, or none: then what was kept for the pane is forgotten.
+    void bindExact(const LinkedProgram& program, std::size_t pane, const std::shared_ptr<const ExactDistances>& exact);
 
     // How many textures lie in the context: tests see that nothing unused is uploaded.
     int textureCount() const;
@@ -55,15 +44,18 @@ private:
     Resources m_resources;
     std::array<std::shared_ptr<const void>, kMapKindCount> m_uploadedMaps; // whose pixels lie in m_maps
     std::array<Map, kMapKindCount> m_maps;
-    Texture m_seen;
-    std::shared_ptr<const SeenDistances> m_uploadedSeen;
-    std::array<Map, 2> m_slopes; // of the height map by wrap, for materials without a normal map
-    std::shared_ptr<const void> m_uploadedSlopes; // of which height map
-    struct UploadedBound {
-        std::shared_ptr<const SearchTexture> map;
-        SearchUpload upload;
+    struct Exact {
+        std::shared_ptr<const ExactDistances> distances;
+        Texture texture;
     };
-    std::map<Resources::BoundKey, UploadedBound> m_bounds;
+    std::map<std::size_t, Exact> m_exact; // by pane
+    PerChoice<Wrap, Map> m_slopes; // of the height map, for materials without a normal map
+    std::shared_ptr<const void> m_uploadedSlopes; // of which height map
+    struct Acceleration {
+        std::shared_ptr<const AccelerationMap> map;
+        AccelerationUpload upload;
+    };
+    std::map<const AccelerationMap*, Acceleration> m_acceleration;
     Texture m_environment;
 };
 

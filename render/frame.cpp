@@ -1,0 +1,117 @@
+// What a picture is drawn with.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/frame.h"
+#include "render/gl/driver_limits.h"
+#include "render/gl/texture_units.h"
+#include "render/pane_values.h"
+#include <algorithm>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace relievo {
+
+void DrawContext::forgetUploads()
+{
+    uploads = Uploads(), mesh = MeshUpload();
+    shadowMaps.clear();
+}
+
+const LinkedProgram* DrawContext::meshProgramFor(const ProgramFeatures& features, std::optional<Error>& error)
+{
+    const auto [name, isNew] = programNames.try_emplace(features, "mesh " + std::to_string(programNames.size()));
+    return programs.get(
+        name->second, [&](const ShaderReader& read) { return meshProgram(features, read); }, error);
+}
+
+const LinkedProgram* DrawContext::polygonProgramFor(bool posed, std::optional<Error>& error)
+{
+    return programs.get(
+        posed ? "wireframe/posed" : "wireframe", [&](const ShaderReader& read) { return wireframeProgram(posed, read); }, error);
+}
+
+namespace {
+// The camera's projection with the picture shifted by the target's jitter.
+CameraView jittered(CameraView camera, const Target& target)
+{
+    const glm::vec3 shift(2.f * target.jitter.x / float(target.width), 2.f * target.jitter.y / float(std::max(target.height, 1)), 0.f);
+    camera.clipFromView = glm::translate(glm::mat4(1.f), shift) * camera.clipFromView;
+    return camera;
+}
+
+SceneUniforms uniformsOf(const Frame& frame)
+{
+    const Target& target = frame.request.target();
+    SceneUniforms uniforms
+        = sceneUniforms(frame.parameters, jittered(frame.request.camera(), target), frame.request.resources().mesh->metresPerUV);
+    uniforms.pushOut = frame.technique.displaces ? (1.f - frame.parameters.midlevel) * uniforms.reliefDepth : 0.f;
+    uniforms.heatScale = 1.f / heatRange(frame.parameters, frame.view);
+    uniforms.sampleTurn = target.jitter.x;
+    return uniforms;
+}
+
+ProgramFeatures featuresOf(const Frame& frame, EnumSet<MapKind> maps, MeshUpload& mesh)
+{
+    const DrawRequest& request = frame.request;
+    ProgramFeatures features = programFeatures(frame.parameters, frame.technique, frame.view, maps, request.target().linear);
+    features.posed = bool(request.resources().mesh->deformation);
+    features.onMesh = !frame.view.fileOnMesh.empty() && request.exact();
+    const bool walksOneRay = frame.view.isAgainstExact && !features.onMesh; // prisms are walked from one to the next
+    features.prisms = features.prisms && !walksOneRay && mesh.hasPrisms();
+    features.borders = features.curved && !features.prisms && mesh.hasBorders();
+    return features;
+}
+} // namespace
+
+Expected<Frame> prepareFrame(DrawContext& context, const DrawRequest& request)
+{
+    const State& state = request.state();
+    const Resources& resources = request.resources();
+    const ViewRow* view = findView(request.view());
+    const TechniqueRow* technique = request.pane() < state.panes.size() ? findTechnique(state.panes[request.pane()].technique) : nullptr;
+    if (!view || !technique)
+        return failure(
+            ErrorCode::NotFound, std::string(request.view()), "there is no such view or pane", "relievo describe views lists them");
+    Frame frame{.request = request,
+        .technique = *technique,
+        .view = *view,
+        .parameters = drawnParameters(state, request.pane(), *view),
+        .acceleration = nullptr};
+    const EnumSet<MapKind> maps = presentMaps(*resources.material);
+    if ((technique->needsHeights() || view->isAgainstExact) && !maps.contains(MapKind::Height))
+        return failure(state.name,
+            std::string(technique->label) + (view->isAgainstExact ? "'s error" : "") + " needs a height map and the material has none",
+            "Assign one, or choose Flat or Bump");
+    auto acceleration = resources.accelerationMaps.of(*technique, frame.parameters, *resources.material);
+    if (!acceleration)
+        return tl::unexpected(acceleration.error());
+    frame.acceleration = std::move(*acceleration);
+    if (const auto fits = fitTheDriver(*resources.material, *resources.mesh); !fits)
+        return tl::unexpected(fits.error());
+
+    if (context.programs.reload())
+        context.shadowMaps.clear();
+    std::erase_if(context.shadowMaps, [&](const auto& entry) { return entry.first >= state.panes.size(); });
+    context.uploads.show(resources);
+    context.mesh.show(resources.mesh);
+    frame.uniforms = uniformsOf(frame);
+    frame.features = featuresOf(frame, maps, context.mesh);
+    if (frame.features.curved && !frame.features.prisms)
+        frame.curvature = frame.parameters.silhouettes;
+    frame.fewerTriangles = request.target().isPassing && !frame.features.curved && context.mesh.isFinerThanPixels();
+    return frame;
+}
+
+void useProgram(DrawContext& context, const Frame& frame, const LinkedProgram& program, const SceneUniforms& uniforms)
+{
+    program.use();
+    program.set(frame.parameters);
+    program.set(uniforms);
+    context.uploads.bindMaps(program, frame.parameters.wrap, frame.acceleration);
+    context.uploads.bindExact(program, frame.request.pane(), frame.request.exact());
+    context.mesh.bind(program, frame.parameters, frame.request.state().part, frame.curvature);
+    if (program.reads("shadowMap"))
+        program.bind("shadowMap", GL_TEXTURE_2D, context.shadowMaps[frame.request.pane()].texture(), kShadowUnit);
+}
+
+} // namespace relievo

@@ -1,0 +1,229 @@
+// From pixels to textures: formats, filters and mip levels.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/uploads/textures.h"
+#include "core/maps/surface/normal.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <tbb/parallel_for.h>
+
+namespace relievo {
+
+namespace {
+
+// minification: GL_LINEAR_MIPMAP_LINEAR where a step between mip levels would show (colours, normals), GL_LINEAR_MIPMAP_NEAREST at half
+// the cost where it does not (scalar maps) or where levels must not mix (heights), GL_LINEAR without mip levels.
+void setFilter(GLint minification)
+{
+    if (minification != GL_LINEAR)
+        glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minification);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+float decodedSrgb(float v)
+{
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+struct Format {
+    GLint internal;
+    GLenum layout, type;
+};
+
+Format formatOf(const Image& image, bool isColor)
+{
+    constexpr GLenum layouts[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    const std::size_t channels = std::size_t(image.channels - 1);
+    const GLenum layout = layouts[channels];
+    if (image.type == PixelType::U8) {
+        constexpr GLint linear[] = {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
+        return {isColor && channels >= 2 ? (channels == 3 ? GL_SRGB8_ALPHA8 : GL_SRGB8) : linear[channels], layout, GL_UNSIGNED_BYTE};
+    }
+    if (image.type == PixelType::U16 && !isColor) {
+        constexpr GLint linear[] = {GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
+        return {linear[channels], layout, GL_UNSIGNED_SHORT};
+    }
+    constexpr GLint floats[] = {GL_R16F, GL_RG16F, GL_RGB16F, GL_RGBA16F};
+    return {floats[channels], layout, GL_FLOAT};
+}
+
+// 16-bit colour has no sRGB texture format: decoded here, kept as half floats.
+std::vector<float> decoded(const Image& image)
+{
+    std::vector<float> values(image.texelCount() * std::size_t(image.channels));
+    tbb::parallel_for(0, image.height, [&](int y) {
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < image.channels; ++c)
+                values[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * std::size_t(image.channels) + std::size_t(c)]
+                    = decodedSrgb(image.value(x, y, c));
+    });
+    return values;
+}
+
+} // namespace
+
+Texture uploadImage(const Image& image, bool isColor)
+{
+    Texture texture = newTexture();
+    glBindTexture(GL_TEXTURE_2D, *texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const Format format = formatOf(image, isColor);
+    const auto load = [&](const void* data) {
+        glTexImage2D(GL_TEXTURE_2D, 0, format.internal, image.width, image.height, 0, format.layout, format.type, data);
+    };
+    if (image.type == PixelType::U16 && isColor)
+        load(decoded(image).data());
+    else
+        load(image.data.data());
+    setFilter(image.channels == 1 ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+namespace {
+// Direction of a cube map's texel, OpenGL's face order and orientation; a, b in [-1, 1].
+glm::vec3 cubeDirection(int face, float a, float b)
+{
+    switch (face) {
+    case 0:
+        return {1.f, -b, -a};
+    case 1:
+        return {-1.f, -b, a};
+    case 2:
+        return {a, 1.f, b};
+    case 3:
+        return {a, -1.f, -b};
+    case 4:
+        return {a, -b, 1.f};
+    default:
+        return {-a, -b, -1.f};
+    }
+}
+
+// Bilinear read of an equirectangular level (environment.h's orientation).
+glm::vec3 equirect(const std::vector<glm::vec3>& level, int width, glm::vec3 direction)
+{
+    constexpr float pi = 3.14159265f;
+    direction = glm::normalize(direction);
+    const int height = width / 2;
+    const float x = (std::atan2(direction.x, -direction.z) / (2.f * pi) + 0.5f) * float(width) - 0.5f;
+    const float y = std::acos(std::clamp(direction.y, -1.f, 1.f)) / pi * float(height) - 0.5f;
+    const float fx = x - std::floor(x), fy = y - std::floor(y);
+    const auto at = [&](int i, int j) {
+        return level[std::size_t(wrapIndex(j, height, Wrap::Clamp)) * std::size_t(width) + std::size_t(wrapIndex(i, width, Wrap::Repeat))];
+    };
+    const int i = int(std::floor(x)), j = int(std::floor(y));
+    return (at(i, j) * (1.f - fx) + at(i + 1, j) * fx) * (1.f - fy) + (at(i, j + 1) * (1.f - fx) + at(i + 1, j + 1) * fx) * fy;
+}
+
+} // namespace
+
+Texture uploadEnvironment(const Environment& environment)
+{
+    Texture texture = newTexture();
+    glBindTexture(GL_TEXTURE_CUBE_MAP, *texture);
+    for (int level = 0; level < kEnvironmentLevels; ++level) {
+        const int size = kEnvironmentWidth / 4 >> level;
+        std::vector<glm::vec3> pixels(std::size_t(size) * std::size_t(size));
+        for (int face = 0; face < 6; ++face) {
+            for (int y = 0; y < size; ++y)
+                for (int x = 0; x < size; ++x) {
+                    const float a = 2.f * (float(x) + 0.5f) / float(size) - 1.f, b = 2.f * (float(y) + 0.5f) / float(size) - 1.f;
+                    pixels[std::size_t(y * size + x)]
+                        = equirect(environment.levels[std::size_t(level)], kEnvironmentWidth >> level, cubeDirection(face, a, b));
+                }
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(face), level, GL_RGB16F, size, size, 0, GL_RGB, GL_FLOAT, pixels.data());
+        }
+    }
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, kEnvironmentLevels - 1);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return texture;
+}
+
+namespace {
+void uploadHeightLevel(const HeightField& field, int level)
+{
+    if (field.storedBits() <= 16) {
+        std::vector<std::uint16_t> values(field.texels().size());
+        std::ranges::transform(field.texels(), values.begin(), [](float h) { return std::uint16_t(std::lround(h * 65535.f)); });
+        glTexImage2D(GL_TEXTURE_2D, level, GL_R16, field.width(), field.height(), 0, GL_RED, GL_UNSIGNED_SHORT, values.data());
+    } else {
+        glTexImage2D(GL_TEXTURE_2D, level, GL_R32F, field.width(), field.height(), 0, GL_RED, GL_FLOAT, field.texels().data());
+    }
+}
+} // namespace
+
+Texture uploadHeight(const HeightField& field, bool mips)
+{
+    Texture texture = newTexture();
+    glBindTexture(GL_TEXTURE_2D, *texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    // Levels of our own: the driver's would not be those that the acceleration maps are baked from.
+    const std::vector<HeightField> levels = mips ? heightLevels(field) : std::vector<HeightField>{field};
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        uploadHeightLevel(levels[i], int(i));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(levels.size()) - 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, mips ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return texture;
+}
+
+AccelerationUpload uploadAccelerationMap(const AccelerationMap& map, Wrap wrap)
+{
+    AccelerationUpload upload{newTexture(), GL_TEXTURE_2D, map.form == MapForm::Codes ? "cellMap" : "boundMap", map.scales};
+    if (map.form == MapForm::Volume) {
+        upload.target = GL_TEXTURE_3D, upload.sampler = "distanceMap";
+        std::ranges::fill(upload.scales, map.scales.front()); // the finest volume serves all levels
+    }
+    glBindTexture(upload.target, *upload.texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const int levels = upload.target == GL_TEXTURE_3D ? 1 : int(map.levels.size());
+    for (int i = 0; i < levels; ++i) {
+        const Image& image = map.levels[std::size_t(i)];
+        const Format format = map.form == MapForm::Codes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false);
+        if (upload.target == GL_TEXTURE_3D)
+            glTexImage3D(GL_TEXTURE_3D, 0, format.internal, image.width, image.height / map.slices, map.slices, 0, format.layout,
+                format.type, image.data.data());
+        else
+            glTexImage2D(GL_TEXTURE_2D, i, format.internal, image.width, image.height, 0, format.layout, format.type, image.data.data());
+    }
+    const bool nearest = map.form == MapForm::Codes || map.form == MapForm::Pyramid;
+    const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+    glTexParameteri(upload.target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_NEAREST);
+    glTexParameteri(upload.target, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(upload.target, GL_TEXTURE_WRAP_S, mode);
+    glTexParameteri(upload.target, GL_TEXTURE_WRAP_T, mode);
+    glTexParameteri(upload.target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    return upload;
+}
+
+Texture uploadSlopes(const HeightField& field)
+{
+    Texture texture = newTexture();
+    glBindTexture(GL_TEXTURE_2D, *texture);
+    const auto values = slopesOf(field);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, field.width(), field.height(), 0, GL_RG, GL_FLOAT, values.data());
+    setFilter(GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+Texture uploadDistances(const PixelDistances& distances)
+{
+    std::vector<float> rows; // OpenGL's first row is the lowest
+    rows.reserve(distances.metres.size());
+    for (int y = distances.height - 1; y >= 0; --y)
+        for (int x = 0; x < distances.width; ++x)
+            rows.push_back(std::isnan(distances.at(x, y)) ? -1.f : std::min(distances.at(x, y), std::numeric_limits<float>::max()));
+    Texture texture = newTexture();
+    glBindTexture(GL_TEXTURE_2D, *texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, distances.width, distances.height, 0, GL_RED, GL_FLOAT, rows.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    return texture;
+}
+
+} // namespace relievo
