@@ -33,9 +33,9 @@ struct Baked {
 
 // From the height map, or for a map made from normals from the normal map.
 Expected<BakedMap> bakeFrom(
-    const Material& material, const MapRow& row, const Parameters& parameters, std::optional<float>& depth, const Progress& progress)
+    const Material& material, const BakedMapRow& row, const Parameters& parameters, std::optional<float>& depth, const Progress& progress)
 {
-    const Wrap wrap = wrapOf(parameters);
+    const Wrap wrap = parameters.wrap;
     if (!row.bakeFromNormals)
         return material.height ? bakeMap(row, material.height->withWrap(wrap), parameters, progress)
                                : failure(std::string(row.key), "the material has no height map to bake from", "Add one by --height FILE");
@@ -65,7 +65,7 @@ Image asPicture(const BakedMap& map)
 }
 
 // Whether the format holds what is asked for.
-Result<void> check(const BakeOptions& options, const MapRow& row)
+Result<void> check(const BakeOptions& options, const BakedMapRow& row)
 {
     if (row.form == MapForm::Codes && options.bits != 16)
         return problem({"this map is codes of 16 bits", "--bits " + std::to_string(options.bits), "Leave --bits out"}, WrongUsage);
@@ -81,21 +81,21 @@ Result<void> check(const BakeOptions& options, const MapRow& row)
 
 Result<Baked> bake(const BakeOptions& options)
 {
-    const MapRow* row = findMap(options.map);
+    const BakedMapRow* row = findBakedMap(options.map);
     if (!row)
         return problem({"there is no such map", "--map " + options.map, "relievo describe maps lists them"}, WrongUsage);
     if (const auto fits = check(options, *row); !fits)
         return tl::unexpected(fits.error());
     const Progress progress = shownProgress(options.common);
-    auto opened = openState(options.state, progress);
+    auto opened = openState(options.state, progress.part(0.f, 0.2f));
     if (!opened)
         return tl::unexpected(opened.error());
-    auto material = loadMaterial(opened->state.slots, opened->images, nullptr, progress);
+    auto material = loadMaterial(opened->state.slots, opened->images, nullptr, progress.part(0.2f, 0.4f));
     if (!material)
         return problem(material.error());
     Baked out;
     const auto start = std::chrono::steady_clock::now();
-    auto map = bakeFrom(*material, *row, effectiveParameters(opened->state, 0), out.depth, progress);
+    auto map = bakeFrom(*material, *row, effectiveParameters(opened->state, 0), out.depth, progress.part(0.4f, 0.9f));
     if (!map)
         return problem(map.error());
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -103,6 +103,7 @@ Result<Baked> bake(const BakeOptions& options)
     out.image = asPicture(out.map);
     if (const auto written = writeImage(options.out, out.image); !written)
         return problem(written.error());
+    progress.at(1.f);
     out.warnings = opened->warnings;
     out.warnings.insert(out.warnings.end(), material->warnings.begin(), material->warnings.end());
     return out;
@@ -110,7 +111,7 @@ Result<Baked> bake(const BakeOptions& options)
 
 nlohmann::ordered_json toJson(const BakeOptions& options, const Baked& baked)
 {
-    const MapRow& row = *findMap(options.map);
+    const BakedMapRow& row = *findBakedMap(options.map);
     nlohmann::ordered_json levels = nlohmann::ordered_json::array(), scale = levels, encoding = levels;
     for (const Image& level : baked.map.levels)
         levels.push_back({level.width, level.height / baked.map.slices});
@@ -128,7 +129,7 @@ nlohmann::ordered_json toJson(const BakeOptions& options, const Baked& baked)
 }
 
 // What a user must know to read the values back.
-void tellScale(const MapRow& row, const BakeOptions& options, const Baked& baked)
+void tellScale(const BakedMapRow& row, const BakeOptions& options, const Baked& baked)
 {
     for (int c = 0; c < row.channels && !options.common.quiet && options.bits != 32; ++c) {
         const bool root = row.rules[std::size_t(c)].encoding == Encoding::SquareRoot;
@@ -168,7 +169,7 @@ void addBake(CLI::App& app, int& exitCode)
         if (options->common.json)
             print(toJson(*options, *baked));
         else
-            tellScale(*findMap(options->map), *options, *baked);
+            tellScale(*findBakedMap(options->map), *options, *baked);
     });
 }
 

@@ -75,7 +75,7 @@ Expected<void> setMaps(const StateOptions& options, Opened& opened)
     const auto assign = [&](MapKind kind, const std::string& file, bool depth) -> Expected<void> {
         std::error_code code;
         if (!fs::exists(file, code))
-            return failure(file, "there is no such file", "Check the path of --" + std::string(row(kind).key));
+            return failure(ErrorCode::NotFound, file, "there is no such file", "Check the path of --" + std::string(row(kind).key));
         auto& image = opened.images[absolutePath(file)];
         if (!image) {
             auto read = readImage(absolutePath(file));
@@ -166,10 +166,10 @@ std::optional<Warning> missingClip(const Scene& scene)
 
 Result<Scene> openScene(const StateOptions& options, const Progress& progress)
 {
-    auto opened = openState(options, progress);
+    auto opened = openState(options, progress.part(0.f, 0.5f));
     if (!opened)
         return tl::unexpected(opened.error());
-    auto resources = loadResources(opened->state, opened->images, {}, progress);
+    auto resources = loadResources(opened->state, opened->images, {}, progress.part(0.5f, 1.f));
     if (!resources)
         return problem(resources.error());
     Scene scene{std::move(opened->state), std::move(*resources), std::move(opened->warnings)};
@@ -191,7 +191,7 @@ Progress shownProgress(const Common& common)
         return progress;
     progress.report = [last = std::make_shared<int>(-1)](float share) {
         const int percent = int(share * 100.f);
-        if (percent == *last)
+        if (percent <= *last) // never back, whatever the order in which threads tell
             return;
         *last = percent;
         std::fprintf(stderr, "\r%3d %%%s", percent, percent == 100 ? "\n" : "");

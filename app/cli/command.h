@@ -4,6 +4,7 @@
 #pragma once
 #include "core/ground/error.h"
 #include "core/ground/progress.h"
+#include "core/scene/resources.h"
 #include "core/scene/source.h"
 #include "core/state/state.h"
 #include <CLI/App.hpp>

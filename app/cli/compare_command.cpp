@@ -7,6 +7,7 @@
 #include "core/ground/file.h"
 #include "core/ground/text.h"
 #include "core/image/files/image_file.h"
+#include "core/state/views.h"
 #include "core/trace/shader_on_cpu.h"
 #include "render/measure/frame_time.h"
 #include "render/measure/picture_errors.h"
@@ -46,13 +47,13 @@ struct Sheet {
     float errorRange;
 };
 
-Expected<Cell> measuredCell(Renderer& renderer, const PictureJudge& judge, const Subject& subject, const SearchSetting& setting)
+Expected<Cell> measuredCell(Renderer& renderer, PictureJudge& judge, Subject& subject, const SearchSetting& setting)
 {
     const State state = withSetting(subject.state, setting);
-    auto picture = drawPicture(renderer, state, 0, subject.resources, "shaded", kWidth, kHeight, 4, false);
+    auto picture = drawPicture(renderer, state, 0, subject.resources, knownView("shaded").key, kWidth, kHeight, 4, false);
     if (!picture)
         return tl::unexpected(picture.error());
-    auto error = drawPicture(renderer, state, 0, subject.resources, "error", kWidth, kHeight, 1, false);
+    auto error = drawPicture(renderer, state, 0, subject.resources, knownView("error").key, kWidth, kHeight, 1, false);
     if (!error)
         return tl::unexpected(error.error());
     const auto errors = pictureErrors(renderer, state, subject.resources, kWidth, kHeight);
@@ -68,7 +69,7 @@ Expected<void> timeCells(Renderer& renderer, Sheet& sheet, const Progress& progr
 {
     std::vector<TimedFrame> frames = {plainQuad(sheet.subject.state)};
     for (const Cell& cell : sheet.cells)
-        frames.push_back({withSetting(sheet.subject.state, cell.setting), "shaded"});
+        frames.push_back({withSetting(sheet.subject.state, cell.setting), knownView("shaded").key});
     const auto times = frameTimes(renderer, sheet.subject.resources, frames, kWidth, kHeight, kRounds, progress);
     if (!times)
         return tl::unexpected(times.error());
@@ -90,13 +91,13 @@ Result<Sheet> measure(const CompareOptions& options)
         return tl::unexpected(subject.error());
     State& state = subject->state;
     state.parameters = effectiveParameters(state, 0);
-    state.panes = {Pane{state.panes.front().technique, {}}}; // nothing overrides what follows
+    state.panes = {Pane{state.panes.front().technique}}; // nothing overrides what follows
     state.parameters.heightMips = state.parameters.wireframe = false; // the search itself, at full resolution
     const auto context = WindowlessContext::create();
     if (!context)
         return problem(context.error());
     Renderer renderer;
-    const auto judge = PictureJudge::create(renderer, state, subject->resources, kWidth, kHeight);
+    auto judge = PictureJudge::create(renderer, state, subject->resources, kWidth, kHeight);
     if (!judge)
         return problem(judge.error());
     Sheet sheet{std::move(*subject), {}, mostExactSetting(state.parameters).label, state.parameters.errorRange};
@@ -109,6 +110,7 @@ Result<Sheet> measure(const CompareOptions& options)
     }
     if (const auto timed = timeCells(renderer, sheet, progress.part(0.7f, 1.f)); !timed)
         return problem(timed.error());
+    progress.at(1.f);
     return sheet;
 }
 

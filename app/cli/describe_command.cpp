@@ -22,16 +22,16 @@ Table techniques()
 {
     Table table;
     for (const TechniqueRow& row : kTechniques)
-        table.push_back({{"key", row.key}, {"label", row.label}, {"maps", row.maps}, {"bound", row.bound}, {"parameters", row.parameters},
-            {"displaces", row.displaces}, {"searches", row.searches}, {"canMiss", row.canMiss}, {"isExact", row.isExact},
-            {"paper", row.paper}, {"help", row.help}});
+        table.push_back({{"key", row.key}, {"label", row.label}, {"maps", keysOf(row.maps)}, {"bound", row.accelerationMap},
+            {"parameters", keysOf(row.parameters)}, {"displaces", row.displaces}, {"searches", row.searches}, {"canMiss", row.canMiss},
+            {"isExact", row.isExact}, {"paper", row.paper}, {"help", row.help}});
     return table;
 }
 
 Table maps()
 {
     Table table;
-    for (const MapRow& row : kMaps)
+    for (const BakedMapRow& row : kBakedMaps)
         table.push_back({{"key", row.key}, {"label", row.label}, {"unit", row.unit}, {"channels", row.channels}, {"help", row.help}});
     return table;
 }

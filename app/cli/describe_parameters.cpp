@@ -12,17 +12,11 @@ Json valueJson(const ParameterRow& row, const Value& value)
 {
     if (const bool* b = std::get_if<bool>(&value))
         return *b;
-    if (const int* i = std::get_if<int>(&value); i && row.options.empty())
+    if (const int* i = std::get_if<int>(&value); i && kindOf(row) == ValueKind::Whole)
         return *i;
     if (std::holds_alternative<float>(value))
         return Json::parse(toText(row, value));
     return toText(row, value);
-}
-
-std::string_view kindOf(const ParameterRow& row)
-{
-    constexpr std::string_view names[] = {"number", "whole", "switch", "color"};
-    return row.options.empty() ? names[row.member.index()] : "choice";
 }
 } // namespace
 
@@ -30,9 +24,10 @@ Table parameterTable()
 {
     Table table;
     for (const ParameterRow& row : kParameters)
-        table.push_back({{"key", row.key}, {"label", row.label}, {"group", kGroupLabels[std::size_t(row.group)]}, {"kind", kindOf(row)},
+        table.push_back({{"key", row.key}, {"label", row.label}, {"group", wordOf(row.group)}, {"kind", wordOf(kindOf(row))},
             {"default", valueJson(row, get(Parameters(), row))}, {"min", Json::parse(toText(kParameters[0], row.min))},
-            {"max", Json::parse(toText(kParameters[0], row.max))}, {"unit", row.unit}, {"options", row.options}, {"help", row.help}});
+            {"max", Json::parse(toText(kParameters[0], row.max))}, {"unit", row.unit}, {"options", optionList(row, ' ')},
+            {"help", row.help}});
     return table;
 }
 

@@ -27,12 +27,13 @@ Result<Exported> exportScene(const ExportOptions& options)
     if (!row->suffix.empty() && lowerSuffix(options.out) != row->suffix)
         return problem({"this target writes " + std::string(row->suffix), "-o " + options.out, "Give the file that suffix"}, WrongUsage);
     const Progress progress = shownProgress(options.common);
-    const auto scene = openScene(options.state, progress);
+    const auto scene = openScene(options.state, progress.part(0.f, 0.5f));
     if (!scene)
         return tl::unexpected(scene.error());
-    auto exported = row->run({scene->state, scene->resources, options.out, options.size, progress});
+    auto exported = row->run({scene->state, scene->resources, options.out, options.size, progress.part(0.5f, 1.f)});
     if (!exported)
         return problem(exported.error());
+    progress.at(1.f);
     exported->warnings.insert(exported->warnings.begin(), scene->warnings.begin(), scene->warnings.end());
     return *exported;
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/measuring.h"
+#include "core/state/views.h"
 #include <algorithm>
 
 namespace relievo::cli {
@@ -17,12 +18,12 @@ Result<Subject> openSubject(const StateOptions& options, bool whole, const Progr
         subject.resources = std::move(scene->resources);
         subject.warnings = std::move(scene->warnings);
     } else {
-        auto opened = openState(options, progress);
+        auto opened = openState(options, progress.part(0.f, 0.5f));
         if (!opened)
             return tl::unexpected(opened.error());
         MapSlots slots{};
         slots[std::size_t(MapKind::Height)] = opened->state.slots[std::size_t(MapKind::Height)];
-        auto material = loadMaterial(slots, opened->images, nullptr, progress);
+        auto material = loadMaterial(slots, opened->images, nullptr, progress.part(0.5f, 1.f));
         if (!material)
             return problem(material.error());
         subject.state = std::move(opened->state);
@@ -35,7 +36,7 @@ Result<Subject> openSubject(const StateOptions& options, bool whole, const Progr
         return problem(
             {"the material has no height map to search", options.source.empty() ? "SOURCE" : options.source, "Add one by --height FILE"});
     const Parameters parameters = effectiveParameters(subject.state, 0);
-    subject.field = {options.source, subject.state.name, height->withWrap(wrapOf(parameters)), double(parameters.depth)};
+    subject.field = {options.source, subject.state.name, height->withWrap(parameters.wrap), double(parameters.depth)};
     return subject;
 }
 
@@ -47,28 +48,28 @@ Result<std::vector<const TechniqueRow*>> techniquesOf(const std::vector<std::str
     return *rows;
 }
 
-PictureJudge::PictureJudge(Renderer& renderer, const State& state, const Resources& resources, Image exact)
+PictureJudge::PictureJudge(Renderer& renderer, const State& state, Resources resources, Image exact)
     : m_renderer(&renderer)
     , m_state(state)
-    , m_resources(resources)
+    , m_resources(std::move(resources))
     , m_exact(std::move(exact))
     , m_flip(m_exact)
 {
 }
 
-Expected<PictureJudge> PictureJudge::create(Renderer& renderer, const State& state, const Resources& resources, int width, int height)
+Expected<PictureJudge> PictureJudge::create(Renderer& renderer, const State& state, Resources resources, int width, int height)
 {
     const State exact = withSetting(state, mostExactSetting(effectiveParameters(state, 0)));
-    auto picture = drawPicture(renderer, exact, 0, resources, "shaded", width, height, 1, false);
+    auto picture = drawPicture(renderer, exact, 0, resources, knownView("shaded").key, width, height, 1, false);
     if (!picture)
         return tl::unexpected(picture.error());
-    return PictureJudge(renderer, state, resources, std::move(*picture));
+    return PictureJudge(renderer, state, std::move(resources), std::move(*picture));
 }
 
-Expected<PictureJudge::Verdict> PictureJudge::judge(const SearchSetting& setting) const
+Expected<PictureJudge::Verdict> PictureJudge::judge(const SearchSetting& setting)
 {
-    auto picture
-        = drawPicture(*m_renderer, withSetting(m_state, setting), 0, m_resources, "shaded", m_exact.width, m_exact.height, 1, false);
+    auto picture = drawPicture(
+        *m_renderer, withSetting(m_state, setting), 0, m_resources, knownView("shaded").key, m_exact.width, m_exact.height, 1, false);
     if (!picture)
         return tl::unexpected(picture.error());
     const double noise = psnr(m_exact, *picture), flip = m_flip.mean(*picture);

@@ -4,9 +4,9 @@
 #include "app/cli/command.h"
 #include "core/ground/text.h"
 #include "core/image/files/image_file.h"
+#include "core/scene/exact_distances.h"
 #include "core/state/views.h"
 #include "render/legend.h"
-#include "render/measure/mesh_errors.h"
 #include "render/windowless.h"
 #include <charconv>
 #include <cstdio>
@@ -73,7 +73,8 @@ Result<Warnings> render(RenderOptions& options)
 {
     if (const auto good = check(options); !good)
         return tl::unexpected(good.error());
-    auto scene = openScene(options.state, shownProgress(options.common));
+    const Progress progress = shownProgress(options.common);
+    auto scene = openScene(options.state, progress.part(0.f, 0.5f));
     if (!scene)
         return tl::unexpected(scene.error());
     auto context = WindowlessContext::create();
@@ -83,19 +84,24 @@ Result<Warnings> render(RenderOptions& options)
     std::vector<ImageLayer> layers;
     const bool linear = lowerSuffix(options.out) == ".exr";
     for (const std::string& view : options.views) {
-        if (view == "error" && hasMeshReference(scene->state, scene->resources)) {
-            auto seen = exactDistances(scene->state, 0, scene->resources, options.width, options.height, scene->warnings);
-            if (!seen)
-                return problem(seen.error());
-            scene->resources.seen = std::make_shared<const SeenDistances>(std::move(*seen));
+        const ViewRow& row = *findView(view);
+        const Progress drawing = progress.part(0.5f + 0.5f * float(layers.size()) / float(options.views.size()),
+            0.5f + 0.5f * float(layers.size() + 1) / float(options.views.size()));
+        std::shared_ptr<const ExactDistances> exact;
+        if (!row.fileOnMesh.empty() && hasMeshReference(scene->state, scene->resources)) {
+            auto made = exactDistances(scene->state, 0, scene->resources, options.width, options.height, scene->warnings, drawing);
+            if (!made)
+                return problem(made.error());
+            exact = std::move(*made);
         }
-        const int samples = options.samples > 0 ? options.samples : findView(view)->isHeat || linear ? 1 : 4;
-        auto image = drawPicture(renderer, scene->state, 0, scene->resources, view, options.width, options.height, samples, linear);
+        const int samples = options.samples > 0 ? options.samples : row.isHeat || linear ? 1 : 4;
+        auto image = drawPicture(renderer, scene->state, 0, scene->resources, view, options.width, options.height, samples, linear, exact);
         if (!image)
             return problem(image.error());
-        if (const ViewRow& row = *findView(view); row.isHeat && !linear)
-            drawLegend(*image, heatRange(effectiveParameters(scene->state, 0), view), row.unit);
+        if (row.isHeat && !linear)
+            drawLegend(*image, heatRange(effectiveParameters(scene->state, 0), row), row.unit);
         layers.push_back({view, std::move(*image)});
+        drawing.at(1.f);
     }
     if (const auto written = write(options, std::move(layers)); !written)
         return tl::unexpected(written.error());

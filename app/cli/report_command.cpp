@@ -113,15 +113,15 @@ Expected<void> measureAngle(GpuRun& run, const Subject& subject, std::size_t fie
 {
     const auto& [renderer, options, report, progress] = run;
     const State view = fillingView(subject.state, report.angles[angle]);
-    const Resources resources = fillingResources(subject.resources);
+    Resources resources = fillingResources(subject.resources);
     std::vector<TimedFrame> frames = {plainQuad(view)};
     for (const SearchSetting& setting : report.plan.settings)
-        frames.push_back({withSetting(view, setting), std::string(timedView(resources))});
+        frames.push_back({withSetting(view, setting), timedView(resources)});
     const auto times = frameTimes(
         renderer, resources, frames, report.pictureWidth, report.pictureHeight, options.fast ? 3 : 5, Progress{{}, progress.stop});
     if (!times)
         return tl::unexpected(times.error());
-    const auto judge = PictureJudge::create(renderer, view, resources, report.pictureWidth, report.pictureHeight);
+    auto judge = PictureJudge::create(renderer, view, resources, report.pictureWidth, report.pictureHeight);
     if (!judge)
         return tl::unexpected(judge.error());
     for (std::size_t i = 0; i < report.plan.settings.size(); ++i) {
@@ -149,8 +149,9 @@ Expected<void> measurePictures(const ReportOptions& options, const std::vector<S
     report.pictureWidth = options.fast ? 320 : 800;
     report.pictureHeight = options.fast ? 240 : 600;
     if (!options.state.mesh.empty()) {
-        auto mesh = measureOnMesh(renderer, subjects.front().state, subjects.front().resources, report.pictureWidth, report.pictureHeight,
-            true, report.warnings, progress.part(0.f, 0.2f));
+        Resources resources = subjects.front().resources;
+        auto mesh = measureOnMesh(renderer, subjects.front().state, resources, report.pictureWidth, report.pictureHeight, true,
+            report.warnings, progress.part(0.f, 0.2f));
         if (!mesh)
             return tl::unexpected(mesh.error());
         report.mesh = std::move(*mesh);
@@ -176,7 +177,9 @@ Expected<void> addHeats(
     report.heatView.fetchRange = double(parameters.fetchRange), report.heatView.errorRange = double(parameters.errorRange);
     if (fast)
         report.heatView.width = 200, report.heatView.height = 125;
+    float done = 0.f;
     for (const TechniqueRow* technique : techniques) {
+        progress.at(done++ / float(techniques.size()));
         if (!technique->displaces)
             continue; // nothing is searched
         const SearchSetting setting = plainSetting(*technique, parameters);
@@ -240,7 +243,7 @@ Result<Report> measure(const ReportOptions& options)
         if (const auto done = measurePictures(options, *subjects, report, progress.part(0.4f, 0.9f)); !done)
             return problem(done.error());
     if (lowerSuffix(options.out) == ".html")
-        if (const auto done = addHeats(*techniques, shownSubject(*subjects), options.fast, report, progress); !done)
+        if (const auto done = addHeats(*techniques, shownSubject(*subjects), options.fast, report, progress.part(0.9f, 1.f)); !done)
             return problem(done.error());
     progress.at(1.f);
     return report;

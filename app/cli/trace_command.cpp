@@ -40,10 +40,10 @@ void warnOfOtherTexts(Warnings& warnings)
 }
 
 Expected<std::vector<SearchHit>> run(const TraceOptions& options, std::string_view technique, const Parameters& parameters,
-    const HeightField* field, std::span<const SearchRay> rays)
+    const HeightField* field, std::span<const SearchRay> rays, const Progress& progress)
 {
     if (options.device == "cpu")
-        return traceRays(technique, parameters, field, rays, shownProgress(options.common));
+        return traceRays(technique, parameters, field, rays, progress);
     const auto context = WindowlessContext::create();
     if (!context)
         return tl::unexpected(context.error());
@@ -58,7 +58,8 @@ struct Traced {
 
 Result<Traced> trace(const TraceOptions& options)
 {
-    auto opened = openState(options.state, shownProgress(options.common));
+    const Progress progress = shownProgress(options.common);
+    auto opened = openState(options.state, progress.part(0.f, 0.2f));
     if (!opened)
         return tl::unexpected(opened.error());
     const Parameters parameters = effectiveParameters(opened->state, 0);
@@ -69,23 +70,25 @@ Result<Traced> trace(const TraceOptions& options)
     Traced traced{opened->warnings};
     std::optional<HeightField> field;
     if (!slots[std::size_t(MapKind::Height)].empty()) {
-        const auto material = loadMaterial(slots, opened->images);
+        const auto material = loadMaterial(slots, opened->images, nullptr, progress.part(0.2f, 0.4f));
         if (!material)
             return problem(material.error());
         traced.warnings.insert(traced.warnings.end(), material->warnings.begin(), material->warnings.end());
         if (material->height)
-            field = material->height->withWrap(wrapOf(parameters));
+            field = material->height->withWrap(parameters.wrap);
     }
     const auto rays = readRays(options.rays, parameters.depth);
     if (!rays)
         return problem(rays.error());
     if (options.device == "cpu")
         warnOfOtherTexts(traced.warnings);
-    const auto hits = run(options, opened->state.panes.front().technique, parameters, field ? &*field : nullptr, *rays);
+    const auto hits
+        = run(options, opened->state.panes.front().technique, parameters, field ? &*field : nullptr, *rays, progress.part(0.4f, 1.f));
     if (!hits)
         return problem(hits.error());
     if (const auto written = writeAtomically(options.out, hitsText(*hits)); !written)
         return problem(written.error());
+    progress.at(1.f);
     traced.rays = hits->size();
     for (const SearchHit& hit : *hits)
         traced.found += hit.found, traced.fetches += hit.fetches;

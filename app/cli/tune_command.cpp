@@ -45,7 +45,11 @@ struct Tuned {
 // The worst of the pictures at kPictureAngles.
 class PictureError {
 public:
-    PictureError(const Tuned& tuned, std::string_view metric, Renderer& renderer) : m_tuned(tuned), m_metric(metric), m_renderer(renderer)
+    PictureError(const Tuned& tuned, std::string_view metric, Renderer& renderer)
+        : m_tuned(tuned)
+        , m_resources(tuned.subject.resources)
+        , m_metric(metric)
+        , m_renderer(renderer)
     {
     }
 
@@ -68,7 +72,7 @@ private:
     Expected<double> pixels(std::size_t setting, std::size_t angle)
     {
         const State state = withSetting(view(angle), m_tuned.plan.settings[setting]);
-        const auto errors = pictureErrors(m_renderer, state, m_tuned.subject.resources, kWidth, kHeight);
+        const auto errors = pictureErrors(m_renderer, state, m_resources, kWidth, kHeight);
         if (!errors)
             return tl::unexpected(errors.error());
         const double slope = std::sin(kPictureAngles[angle] * std::numbers::pi / 180.);
@@ -87,6 +91,7 @@ private:
     }
 
     const Tuned& m_tuned;
+    Resources m_resources; // with the acceleration maps of what was judged
     std::string_view m_metric;
     Renderer& m_renderer;
     std::vector<PictureJudge> m_judges; // one an angle

@@ -20,19 +20,19 @@ void copyPicture(Viewport& viewport, Messages& messages)
     QApplication::clipboard()->setImage(picture);
 }
 
-void copyCamera(const Document& document)
+void copyCamera(const Document& document, std::size_t pane)
 {
-    QApplication::clipboard()->setText(QString::fromStdString(toText(document.state().camera)));
+    QApplication::clipboard()->setText(QString::fromStdString(toText(cameraOf(document.state(), pane))));
 }
 
-void pasteCamera(Document& document, Messages& messages)
+void pasteCamera(Document& document, std::size_t pane, Messages& messages)
 {
     const std::string text = QApplication::clipboard()->text().trimmed().toStdString();
-    Camera camera = document.state().camera;
+    Camera camera = cameraOf(document.state(), pane);
     if (const auto read = setCamera(camera, text); !read)
         return messages.set("camera", read.error());
     messages.clear("camera");
-    document.edit({}, [&](State& state) { state.camera = camera; });
+    document.edit({}, [&](State& state) { setCameraOf(state, pane, camera); });
 }
 
 } // namespace relievo

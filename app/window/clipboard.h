@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <cstddef>
 
 namespace relievo {
 
@@ -11,7 +12,7 @@ class Viewport;
 
 // What cannot be done stands in the messages.
 void copyPicture(Viewport& viewport, Messages& messages); // nothing, when a pane cannot be drawn now
-void copyCamera(const Document& document);
-void pasteCamera(Document& document, Messages& messages);
+void copyCamera(const Document& document, std::size_t pane);
+void pasteCamera(Document& document, std::size_t pane, Messages& messages);
 
 } // namespace relievo

@@ -84,17 +84,17 @@ void MainWindow::run(Action action, bool on)
     case Action::CopyPicture:
         return copyPicture(*m_viewport, m_messages);
     case Action::CopyCamera:
-        return copyCamera(m_document);
+        return copyCamera(m_document, std::size_t(m_viewport->activePane()));
     case Action::PasteCamera:
-        return pasteCamera(m_document, m_messages);
+        return pasteCamera(m_document, std::size_t(m_viewport->activePane()), m_messages);
     case Action::Wireframe:
         return setWireframe(on);
     case Action::TwoPanes:
-        return showSecondPane(on);
+        return showFurtherPanes(on);
     case Action::Frame:
-        return m_document.edit({}, [](State& state) { state.camera = framed(state.camera); });
+        return moveActiveCamera(framed(cameraOf(m_document.state(), std::size_t(m_viewport->activePane()))));
     case Action::ResetCamera:
-        return m_document.edit({}, [](State& state) { state.camera = Camera{}; });
+        return moveActiveCamera({});
     case Action::LightTheme:
         return setLook(on ? Look::Light : Look::Dark);
     case Action::Panels:
@@ -113,11 +113,11 @@ void MainWindow::connectAll()
     connect(m_top, &TopBar::viewChosen, this, [this](const ViewRow& row) { setView(row.key); });
     connect(m_viewport, &Viewport::activePaneChanged, this, [this] { documentChanged(Change::Panes); });
     connect(m_parameters, &ParameterPanel::scopeChanged, this, [this](Scope scope) {
-        if (scope != Scope::Both)
-            m_viewport->setActivePane(scope == Scope::A ? 0 : 1);
+        if (scope)
+            m_viewport->setActivePane(int(*scope));
     });
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
-    connect(&m_document, &Document::started, this, [this] { m_second.forget(); });
+    connect(&m_document, &Document::started, this, [this] { m_furtherPanes.forget(); });
     connect(&m_document, &Document::titleChanged, this, &MainWindow::updateTitle);
     m_top->follow(m_document.undoStack());
 }
@@ -125,12 +125,18 @@ void MainWindow::connectAll()
 void MainWindow::documentChanged(Changes what)
 {
     const State& state = m_document.state();
+    const Pane& active = state.panes[std::min(std::size_t(m_viewport->activePane()), state.panes.size() - 1)];
     if (what & Change::Panes)
-        m_top->showTechnique(state.panes[std::size_t(std::min<int>(m_viewport->activePane(), int(state.panes.size()) - 1))].technique);
-    if (what & Change::View)
-        m_top->showView(state.view);
+        m_top->showTechnique(active.technique);
+    if (what & (Changes(Change::Panes) | Change::View))
+        m_top->showView(active.view);
     m_top->action(Action::TwoPanes)->setChecked(state.panes.size() > 1);
     m_top->action(Action::Wireframe)->setChecked(state.parameters.wireframe);
+}
+
+void MainWindow::moveActiveCamera(const Camera& camera)
+{
+    m_document.edit({}, [&](State& state) { setCameraOf(state, std::size_t(m_viewport->activePane()), camera); });
 }
 
 void MainWindow::updateTitle()
@@ -147,18 +153,18 @@ void MainWindow::setTechnique(std::string_view key)
 
 void MainWindow::setView(std::string_view key)
 {
-    m_document.edit(tr("View %1").arg(qt(findView(key)->label)), [&](State& state) { state.view = key; });
+    m_document.edit(tr("View %1").arg(qt(findView(key)->label)), [&](State& state) { relievo::setView(state, key); });
 }
 
 void MainWindow::setWireframe(bool on)
 {
     const ParameterRow& row = *findParameter("wireframe");
-    m_document.edit(qt(row.label), [&](State& state) { assign(state, row, on, Scope::Both); });
+    m_document.edit(qt(row.label), [&](State& state) { assign(state, row, on, kAllPanes); });
 }
 
-void MainWindow::showSecondPane(bool on)
+void MainWindow::showFurtherPanes(bool on)
 {
-    m_document.edit(m_top->action(Action::TwoPanes)->text(), [&](State& state) { m_second.show(state, on); });
+    m_document.edit(m_top->action(Action::TwoPanes)->text(), [&](State& state) { m_furtherPanes.show(state, on); });
 }
 
 void MainWindow::showPanels(bool on)

@@ -50,9 +50,10 @@ private:
     void run(Action action, bool on);
     void connectAll();
     void documentChanged(Changes what);
+    void moveActiveCamera(const Camera& camera); // of the active pane, or the one that it shares
     void updateTitle();
     void setWireframe(bool on);
-    void showSecondPane(bool on);
+    void showFurtherPanes(bool on);
     void showPanels(bool on);
     void showExport();
 
@@ -68,7 +69,7 @@ private:
     TopBar* m_top;
     Page* m_page;
     ExportDialog* m_export = nullptr;
-    SecondPane m_second;
+    FurtherPanes m_furtherPanes;
     bool m_closing = false; // the question has been answered
 };
 

@@ -127,10 +127,11 @@ void ExportDialog::run()
     if (busy())
         return;
     if (!m_assets.ready() || !m_assets.upToDate())
-        return tell(failure(m_document.name().toStdString(), "its files are not loaded", "Wait until they are, or clear what is missing"));
+        return tell(failure(ErrorCode::NotReady, m_document.name().toStdString(), "its files are not loaded",
+            "Wait until they are, or clear what is missing"));
     if (m_assets.missingMesh()) // what would be written is as deep as the mesh is large
-        return tell(failure(m_document.state().mesh, "this mesh is not there, and its size decides the depth in metres",
-            "Put it back, or choose another one"));
+        return tell(failure(ErrorCode::NotFound, m_document.state().mesh,
+            "this mesh is not there, and its size decides the depth in metres", "Put it back, or choose another one"));
     const QString out = m_form->completePath(); // what is written is what is shown
     if (out.isEmpty())
         return tell(failure(tr("Where to").toStdString(), "no file is named", "Name one"));
@@ -172,7 +173,8 @@ void ExportDialog::written(const QString& out, const Expected<Exported>& result)
 void ExportDialog::stop()
 {
     m_background.cancel();
-    tell(failure(m_form->typed().toStdString(), "the export was stopped", "Files that it had written by then are still there"));
+    tell(failure(ErrorCode::Cancelled, m_form->typed().toStdString(), "the export was stopped",
+        "Files that it had written by then are still there"));
 }
 
 void ExportDialog::tell(const Expected<Exported>& result)

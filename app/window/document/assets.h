@@ -33,7 +33,8 @@ public:
     bool upToDate() const { return m_store.isLoaded(m_document.state()); }
     void lookAgain() { follow(); } // files may have been put back
 
-    // Opens a SOURCE of cli.md as a new document. Maps keep the present mesh, camera and parameters; a project replaces all.
+    // Opens a SOURCE (resources/help/command-line.md, "Sources") as a new document. Maps keep the present mesh, camera and parameters; a
+    // project replaces all.
     void openDocument(const QString& source);
     void openDocument(const QString& source, const State& base, bool counted = true); // replaces all; counted: among the recent files
     // file: the project that it belongs to, "" for untitled.

@@ -5,6 +5,7 @@
 #include "core/state/state_json.h"
 #include <QFileInfo>
 #include <QUndoCommand>
+#include <algorithm>
 #include <utility>
 
 namespace relievo {
@@ -20,9 +21,21 @@ Changes differences(const State& a, const State& b)
     what.setFlag(Change::Maps, a.slots != b.slots);
     what.setFlag(Change::Mesh, a.mesh != b.mesh || a.part != b.part);
     what.setFlag(Change::Environment, a.environment != b.environment);
-    what.setFlag(Change::Camera, a.camera != b.camera);
-    what.setFlag(Change::View, a.view != b.view);
-    what.setFlag(Change::Panes, a.panes != b.panes);
+    const auto plain = [](const State& state) { // the panes without what has a flag of its own
+        std::vector<Pane> panes = state.panes;
+        for (Pane& pane : panes) {
+            pane.view.clear();
+            if (pane.camera)
+                pane.camera = Camera{};
+        }
+        return panes;
+    };
+    bool ownCameraMoved = false; // of an unlinked pane
+    for (std::size_t pane = 0; pane < std::min(a.panes.size(), b.panes.size()); ++pane)
+        ownCameraMoved = ownCameraMoved || (a.panes[pane].camera && b.panes[pane].camera && a.panes[pane].camera != b.panes[pane].camera);
+    what.setFlag(Change::Camera, a.camera != b.camera || ownCameraMoved);
+    what.setFlag(Change::View, !std::ranges::equal(a.panes, b.panes, {}, &Pane::view, &Pane::view));
+    what.setFlag(Change::Panes, plain(a) != plain(b));
     return what;
 }
 
@@ -32,6 +45,9 @@ void keepCameraAndMoment(State& state, const State& from)
 {
     state.camera = from.camera;
     state.parameters.time = from.parameters.time;
+    for (std::size_t pane = 0; pane < std::min(state.panes.size(), from.panes.size()); ++pane)
+        if (state.panes[pane].camera && from.panes[pane].camera)
+            state.panes[pane].camera = from.panes[pane].camera;
 }
 } // namespace
 

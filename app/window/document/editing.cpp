@@ -1,4 +1,4 @@
-// Reading and writing parameters for one pane or both.
+// Reading and writing parameters for one pane or all.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/editing.h"
@@ -9,54 +9,36 @@ namespace relievo {
 namespace {
 bool inScope(std::size_t pane, Scope scope)
 {
-    return scope == Scope::Both || pane == (scope == Scope::A ? 0u : 1u);
-}
-
-// Pictures side by side are compared by one range of their heat maps.
-bool isShared(const ParameterRow& row)
-{
-    return row.key == "fetchRange" || row.key == "errorRange";
+    return !scope || pane == *scope;
 }
 
 bool holdsIn(const State& state, std::size_t index, const ParameterRow& row);
 
-// One word of ParameterRow::shown holds in pane `index`; a condition on a hidden parameter does not hold.
-bool wordHoldsIn(const State& state, std::size_t index, const ParameterRow& row, std::string_view word)
+// A condition on a parameter that is not shown itself does not hold.
+bool holds(const State& state, std::size_t index, const Condition& condition)
 {
-    if (word == "animated") // the animation bar's
+    const ParameterRow& other = *std::ranges::find(kParameters, condition.member, &ParameterRow::member);
+    if (!holdsIn(state, index, other))
         return false;
-    if (word == "technique") {
-        const TechniqueRow* technique = findTechnique(state.panes[index].technique);
-        return technique && listHas(technique->parameters, row.key);
-    }
-    const std::size_t at = word.find('=');
-    const ParameterRow* other = findParameter(word.substr(0, at));
-    if (!other || !holdsIn(state, index, *other))
-        return false;
-    const Value value = get(effectiveParameters(state, index), *other);
-    const std::string_view wanted = word.substr(at + 1);
-    if (std::holds_alternative<bool>(value))
-        return std::get<bool>(value) == (wanted == "1");
-    return std::holds_alternative<int>(value) && std::to_string(std::get<int>(value)) == wanted;
+    const Value value = get(effectiveParameters(state, index), other);
+    const bool* on = std::get_if<bool>(&value);
+    return on ? *on == (condition.value != 0) : std::get<int>(value) == condition.value;
 }
 
+// Whether the row is shown for pane `index`.
 bool holdsIn(const State& state, std::size_t index, const ParameterRow& row)
 {
-    for (std::string_view rest = row.shown; !rest.empty();) {
-        const std::size_t end = std::min(rest.find(' '), rest.size());
-        if (!wordHoldsIn(state, index, row, rest.substr(0, end)))
-            return false;
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return true;
+    const TechniqueRow* technique = findTechnique(state.panes[index].technique);
+    const bool byTechnique = !row.shown.byTechnique || (technique && technique->parameters.contains(row));
+    return byTechnique && !row.shown.inAnimationBar && (!row.shown.when || holds(state, index, *row.shown.when));
 }
 } // namespace
 
 Value shownValue(const State& state, const ParameterRow& row, Scope scope)
 {
-    if (scope == Scope::Both)
+    if (!scope)
         return get(state.parameters, row);
-    return get(effectiveParameters(state, std::min<std::size_t>(scope == Scope::A ? 0 : 1, state.panes.size() - 1)), row);
+    return get(effectiveParameters(state, std::min(*scope, state.panes.size() - 1)), row);
 }
 
 bool isOverridden(const State& state, const ParameterRow& row, Scope scope)
@@ -69,8 +51,8 @@ bool isOverridden(const State& state, const ParameterRow& row, Scope scope)
 
 void assign(State& state, const ParameterRow& row, const Value& value, Scope scope)
 {
-    if (scope == Scope::Both || isShared(row)) {
-        clearOverride(state, row, Scope::Both);
+    if (!scope || row.sharedByPanes) {
+        clearOverride(state, row, kAllPanes);
         return set(state.parameters, row, value);
     }
     for (std::size_t i = 0; i < state.panes.size(); ++i)
@@ -87,8 +69,8 @@ void clearOverride(State& state, const ParameterRow& row, Scope scope)
 
 void reset(State& state, const ParameterRow& row, Scope scope)
 {
-    if (scope == Scope::Both || isShared(row))
-        assign(state, row, get(Parameters{}, row), Scope::Both);
+    if (!scope || row.sharedByPanes)
+        assign(state, row, get(Parameters{}, row), kAllPanes);
     else
         clearOverride(state, row, scope);
 }
@@ -101,24 +83,25 @@ bool isShown(const State& state, const ParameterRow& row)
     return false;
 }
 
-void setPaneCount(State& state, int count)
+void setPaneCount(State& state, std::size_t count)
 {
-    if (count == 2 && state.panes.size() == 1) {
-        Pane second = state.panes.front();
-        second.technique = second.technique == "parallax" ? "relief" : "parallax";
-        state.panes.push_back(second);
-    } else if (count == 1 && state.panes.size() == 2) {
-        state.panes.pop_back();
+    state.panes.resize(std::clamp(count, std::size_t(1), std::min(kMaxPanes, state.panes.size())));
+    while (state.panes.size() < std::min(count, kMaxPanes)) {
+        Pane next = state.panes.back();
+        next.technique = next.technique == "parallax" ? "relief" : "parallax"; // the pair that is compared most
+        state.panes.push_back(next);
     }
 }
 
-void SecondPane::show(State& state, bool on)
+void FurtherPanes::show(State& state, bool on)
 {
-    if (state.panes.size() == 2)
-        m_last = state.panes[1];
-    setPaneCount(state, on ? 2 : 1);
-    if (on && m_last)
-        state.panes[1] = *m_last;
+    if (state.panes.size() > 1)
+        m_last.assign(state.panes.begin() + 1, state.panes.end());
+    setPaneCount(state, on ? std::max(state.panes.size(), std::size_t(2)) : 1);
+    if (on && !m_last.empty()) {
+        state.panes.resize(1);
+        state.panes.insert(state.panes.end(), m_last.begin(), m_last.end());
+    }
 }
 
 } // namespace relievo

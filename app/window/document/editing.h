@@ -1,4 +1,4 @@
-// Whom the panel's edits reach: both panes, or one pane by its overrides. Pure functions of the State, without widgets.
+// Whom the panel's edits reach: all panes, or one pane by its overrides. Pure functions of the State, without widgets.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -8,34 +8,36 @@
 
 namespace relievo {
 
-enum class Scope { Both, A, B };
+// One pane, or all of them.
+using Scope = std::optional<std::size_t>;
+inline constexpr Scope kAllPanes = std::nullopt;
 
 // The value that the panel shows for a row, and whether it is a pane's own.
 Value shownValue(const State& state, const ParameterRow& row, Scope scope);
-bool isOverridden(const State& state, const ParameterRow& row, Scope scope); // Both: in any pane
+bool isOverridden(const State& state, const ParameterRow& row, Scope scope); // all: in any pane
 
-// Sets it for both panes (their own values of it go) or for one. The ranges of heat maps are always set for both, so that what
-// stands side by side can be compared; only files and the command line give panes ranges of their own.
+// Sets it for all panes (their own values of it go) or for one. What panes share (ParameterRow::sharedByPanes) is always set for all, so
+// that what stands side by side can be compared; only files and the command line give panes ranges of their own.
 void assign(State& state, const ParameterRow& row, const Value& value, Scope scope);
-void clearOverride(State& state, const ParameterRow& row, Scope scope); // Both: in all panes
+void clearOverride(State& state, const ParameterRow& row, Scope scope); // all: in all panes
 
-// The default for both; for one pane: back to what both have.
+// The default for all; for one pane: back to what all have.
 void reset(State& state, const ParameterRow& row, Scope scope);
 
 // Whether the row has a line in the panel: what no pane's technique uses is not shown (ParameterRow::shown).
 bool isShown(const State& state, const ParameterRow& row);
 
-// One pane or two; the second begins as the first with another technique.
-void setPaneCount(State& state, int count);
+// 1 to kMaxPanes; a new one begins as the last with another technique.
+void setPaneCount(State& state, std::size_t count);
 
-// Turns the second pane on and off, and brings it back as it last was.
-class SecondPane {
+// Turns the panes beside the first on and off, and brings them back as they last were.
+class FurtherPanes {
 public:
     void show(State& state, bool on);
-    void forget() { m_last.reset(); } // another document begins
+    void forget() { m_last.clear(); } // another document begins
 
 private:
-    std::optional<Pane> m_last;
+    std::vector<Pane> m_last;
 };
 
 } // namespace relievo

@@ -7,6 +7,7 @@
 #include "app/window/widgets/number_field.h"
 #include "app/window/widgets/text.h"
 #include "core/image/samples/samples.h"
+#include "core/scene/source.h"
 #include "core/state/presets.h"
 #include <QDir>
 #include <QFileInfo>

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/load_jobs.h"
 #include "core/image/sets/texture_set.h"
+#include "core/scene/source.h"
 #include <utility>
 
 namespace relievo {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "app/window/document/resource_store.h"
+#include "core/scene/source.h"
 #include <functional>
 #include <optional>
 #include <variant>
@@ -11,7 +12,7 @@ namespace relievo {
 
 using StateChange = std::function<void(State&)>;
 
-// A SOURCE of cli.md takes the place of the present document.
+// A SOURCE (resources/help/command-line.md, "Sources") takes the place of the present document.
 struct OpenDocument {
     QString source;
     State before; // the document when this was asked for: what was edited since would be lost

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/load_results.h"
 #include "app/window/document/recent_files.h"
+#include "core/scene/source.h"
 #include <QFileInfo>
 
 namespace relievo {

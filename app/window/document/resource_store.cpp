@@ -4,8 +4,8 @@
 #include "app/window/document/resource_store.h"
 #include "app/window/widgets/text.h"
 #include "core/maps/maps.h"
+#include "core/state/techniques.h"
 #include <QFileInfo>
-#include <algorithm>
 
 namespace relievo {
 
@@ -13,9 +13,9 @@ Needs needsOf(const State& state)
 {
     Needs needs{state.slots, state.mesh, state.environment, {}};
     for (std::size_t pane = 0; pane < state.panes.size(); ++pane)
-        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->bound.empty()) {
+        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->accelerationMap.empty()) {
             const Parameters parameters = effectiveParameters(state, pane);
-            needs.bounds.emplace_back(technique->bound, wrapOf(parameters), parameters.heightMips);
+            needs.accelerationMaps.emplace_back(technique->accelerationMap, parameters.wrap, parameters.heightMips);
         }
     return needs;
 }
@@ -28,7 +28,7 @@ bool ResourceStore::isLoaded(const State& state) const
 
 bool ResourceStore::isComplete(const State& state) const
 {
-    return isLoaded(state) && missingBounds(state, resources()).empty();
+    return isLoaded(state) && resources().accelerationMaps.missingFor(state, *resources().material).empty();
 }
 
 bool ResourceStore::locatesMesh(const State& state, const QString& file) const
@@ -40,9 +40,8 @@ QString ResourceStore::missingMap(const State& state) const
 {
     if (!isLoaded(state))
         return {};
-    const auto missing = missingBounds(state, resources());
-    const auto map = missing.empty() ? kMaps.end() : std::ranges::find(kMaps, missing.begin()->first, &MapRow::key);
-    return map == kMaps.end() ? QString() : qt(map->label).toLower();
+    const auto missing = resources().accelerationMaps.missingFor(state, *resources().material);
+    return missing.empty() ? QString() : qt(findBakedMap(missing.front())->label).toLower();
 }
 
 } // namespace relievo

@@ -14,7 +14,7 @@ namespace relievo {
 struct Needs {
     MapSlots slots;
     std::string mesh, environment;
-    std::vector<std::tuple<std::string, Wrap, bool>> bounds; // row of kMaps, wrap, with all levels
+    std::vector<std::tuple<std::string, Wrap, bool>> accelerationMaps; // row of kBakedMaps, wrap, with all levels
     bool operator==(const Needs&) const = default;
 };
 Needs needsOf(const State& state);

@@ -70,7 +70,7 @@ Expected<void> load(std::shared_ptr<const Value>& loaded, std::string& loadedNam
         return {};
     const QDateTime changed = changeOf(name);
     Expected<Value> value = open(name);
-    if (!value && value.error().what == "cancelled")
+    if (!value && isCancelled(value.error()))
         return tl::unexpected(value.error());
     standIn = value ? std::optional<StandIn>() : StandIn{value.error(), changed};
     if (!value)

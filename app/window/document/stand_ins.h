@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/scene/source.h"
+#include "core/scene/resources.h"
 #include <QDateTime>
 #include <optional>
 

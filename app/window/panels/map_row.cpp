@@ -41,7 +41,7 @@ QString channelLabel(Channel channel, int channels)
 {
     if (channel == Channel::Rgb)
         return channels == 1 ? QObject::tr("mean") : "RGB";
-    return qt(kChannelKeys[std::size_t(channel)]).toUpper();
+    return qt(wordOf(channel)).toUpper();
 }
 } // namespace
 
@@ -71,7 +71,7 @@ MapRow::MapRow(const MapKindRow& kind, QWidget* parent)
     m_channel->setFont(smallFont());
     m_channel->setFixedWidth(kind.channels == 1 ? 68 : 56);
     m_channel->setToolTip(tr("Channel of the file that is read"));
-    for (std::size_t i = 0; i < kChannelKeys.size(); ++i)
+    for (std::size_t i = 0; i < kChoices<Channel>; ++i)
         m_channel->addItem(channelLabel(Channel(i), kind.channels));
 
     auto* texts = new QVBoxLayout;

@@ -37,7 +37,7 @@ double number(const Value& value)
 
 Value numberValue(const ParameterRow& row, double v)
 {
-    if (std::holds_alternative<int Parameters::*>(row.member))
+    if (kindOf(row) == ValueKind::Whole || kindOf(row) == ValueKind::Choice)
         return int(std::lround(v));
     return float(v);
 }
@@ -76,9 +76,9 @@ QString parameterTip(const ParameterRow& row)
 {
     static const Parameters defaults;
     QString range;
-    if (!row.options.empty() || std::holds_alternative<bool Parameters::*>(row.member))
+    if (kindOf(row) == ValueKind::Choice || kindOf(row) == ValueKind::Switch)
         range = {};
-    else if (std::holds_alternative<glm::vec3 Parameters::*>(row.member))
+    else if (kindOf(row) == ValueKind::Color)
         range = "<br>Color, set as shown, kept linear.";
     else
         range = QString("<br>%1 to %2 %3").arg(double(row.min)).arg(double(row.max)).arg(qt(row.unit)).trimmed() + '.';
@@ -101,11 +101,11 @@ ParameterEditor::ParameterEditor(const ParameterRow& row, QWidget* parent)
     layout->addWidget(m_label);
     setFixedHeight(kRowHeight);
     setToolTip(parameterTip(row));
-    if (!row.options.empty())
+    if (kindOf(row) == ValueKind::Choice)
         addChoice(layout);
-    else if (std::holds_alternative<bool Parameters::*>(row.member))
+    else if (kindOf(row) == ValueKind::Switch)
         addSwitch(layout);
-    else if (std::holds_alternative<glm::vec3 Parameters::*>(row.member))
+    else if (kindOf(row) == ValueKind::Color)
         addColor(layout);
     else
         addNumber(layout);
@@ -152,7 +152,7 @@ void ParameterEditor::addChoice(QHBoxLayout* layout)
     QVector<Segmented::Item> items;
     for (int i = 0; i < optionCount(m_row); ++i)
         items.append({optionLabel(option(m_row, i)), {}, {}});
-    if (int(m_row.options.size()) <= kSegmentedLetters) {
+    if (int(optionList(m_row, ' ').size()) <= kSegmentedLetters) {
         auto* choice = new Segmented(items, this);
         layout->addWidget(choice);
         layout->addStretch(1);

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/parameter_panel.h"
 #include "app/window/panels/parameter_editor.h"
+#include "app/window/viewport/overlays.h"
 #include "app/window/widgets/section.h"
 #include "app/window/widgets/segmented.h"
 #include "app/window/widgets/text.h"
@@ -12,14 +13,26 @@
 #include <QVBoxLayout>
 
 namespace relievo {
+namespace {
+// All panes, then each.
+QVector<Segmented::Item> scopeItems(std::size_t panes)
+{
+    QVector<Segmented::Item> items;
+    if (panes == 2)
+        items = {{QObject::tr("Both"), QObject::tr("Changes reach both pictures"), {}}};
+    else
+        items = {{QObject::tr("All"), QObject::tr("Changes reach all pictures"), {}}};
+    for (std::size_t pane = 0; pane < panes; ++pane)
+        items.append({paneLetter(pane), QObject::tr("Changes reach picture %1 only").arg(paneLetter(pane)), {}});
+    return items;
+}
+} // namespace
+
 ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_scopeLine(new QWidget(this))
-    , m_scopeChoice(
-          new Segmented({{tr("Both"), tr("Changes reach both pictures"), {}}, {tr("A"), tr("Changes reach the left picture only"), {}},
-                            {tr("B"), tr("Changes reach the right picture only"), {}}},
-              m_scopeLine))
+    , m_scopeChoice(new Segmented({}, m_scopeLine))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -35,11 +48,11 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    for (std::size_t i = 0; i < kGroupLabels.size(); ++i) { // Tab goes in the order in which they are made
-        column->addWidget(m_sections[i] = new Section(qt(kGroupLabels[i])));
+    for (std::size_t i = 0; i < kChoices<Group>; ++i) { // Tab goes in the order in which they are made
+        column->addWidget(m_sections[Group(i)] = new Section(qt(wordOf(Group(i)))));
         for (const ParameterRow& row : kParameters)
             if (std::size_t(row.group) == i)
-                addEditor(row, *m_sections[i]);
+                addEditor(row, *m_sections[Group(i)]);
     }
     column->addStretch(1);
 
@@ -50,7 +63,8 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     scroll->setWidget(content);
     layout->addWidget(scroll, 1);
 
-    connect(m_scopeChoice, &Segmented::chosen, this, [this](int index) { setScope(Scope(index)); });
+    connect(
+        m_scopeChoice, &Segmented::chosen, this, [this](int index) { setScope(index == 0 ? kAllPanes : Scope(std::size_t(index - 1))); });
     connect(&document, &Document::changed, this, [this](Changes what) {
         if (what & (Changes(Change::Parameters) | Change::Panes))
             refresh();
@@ -88,20 +102,21 @@ void ParameterPanel::setScope(Scope scope)
 void ParameterPanel::refresh()
 {
     const State& state = m_document.state();
-    if (state.panes.size() == 1 && m_scope != Scope::Both)
-        return setScope(Scope::Both);
+    if (m_scope && (state.panes.size() == 1 || *m_scope >= state.panes.size()))
+        return setScope(kAllPanes);
     m_scopeLine->setVisible(state.panes.size() > 1);
-    m_scopeChoice->setCurrent(int(m_scope));
-    std::array<bool, kGroupLabels.size()> used{};
+    m_scopeChoice->setItems(scopeItems(state.panes.size()));
+    m_scopeChoice->setCurrent(m_scope ? int(*m_scope) + 1 : 0);
+    PerChoice<Group, bool> used;
     for (ParameterEditor* editor : m_editors) {
         const ParameterRow& row = editor->row();
         const bool shown = isShown(state, row);
-        used[std::size_t(row.group)] |= shown;
+        used[row.group] |= shown;
         editor->setVisible(shown);
         editor->show(shownValue(state, row, m_scope), isOverridden(state, row, m_scope) && state.panes.size() > 1);
     }
-    for (std::size_t i = 0; i < used.size(); ++i)
-        m_sections[i]->setVisible(used[i]);
+    for (std::size_t i = 0; i < kChoices<Group>; ++i)
+        m_sections[Group(i)]->setVisible(used[Group(i)]);
 }
 
 } // namespace relievo

@@ -28,10 +28,10 @@ private:
     void addEditor(const ParameterRow& row, Section& section);
     void refresh();
     Document& m_document;
-    Scope m_scope = Scope::Both;
+    Scope m_scope = kAllPanes;
     QWidget* m_scopeLine;
     Segmented* m_scopeChoice;
-    std::array<Section*, kGroupLabels.size()> m_sections{};
+    PerChoice<Group, Section*> m_sections;
     QVector<ParameterEditor*> m_editors; // one for each row of kParameters, by groups
 };
 

@@ -23,11 +23,11 @@ void finishDrawing()
     glFinish();
 }
 
-void copyTo(const Framebuffer& from, unsigned framebuffer, int x, int width, int height)
+void copyTo(const Framebuffer& from, unsigned framebuffer, const PaneArea& to)
 {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glBlitFramebuffer(0, 0, from.width(), from.height(), x, 0, x + width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitFramebuffer(0, 0, from.width(), from.height(), to.x, to.y, to.x + to.width, to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "render/renderer.h"
+#include "app/window/viewport/pane_layout.h"
+#include "render/gl/framebuffer.h"
 
 namespace relievo {
 
@@ -10,7 +11,7 @@ namespace relievo {
 int openGLVersion(); // 41 for 4.1
 void clearTo(unsigned framebuffer, float red, float green, float blue);
 void finishDrawing(); // waits until everything is drawn
-// Scales `from` to the rectangle (x, 0, width, height) of `framebuffer`.
-void copyTo(const Framebuffer& from, unsigned framebuffer, int x, int width, int height);
+// Scales `from` to a rectangle of `framebuffer`, y up from below.
+void copyTo(const Framebuffer& from, unsigned framebuffer, const PaneArea& to);
 
 } // namespace relievo

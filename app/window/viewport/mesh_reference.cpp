@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/mesh_reference.h"
-#include "render/measure/mesh_errors.h"
+#include "core/state/views.h"
 
 namespace relievo {
 
@@ -20,81 +20,95 @@ MeshReference::MeshReference(Document& document, Assets& assets, Messages& messa
     });
 }
 
-bool MeshReference::isShown() const
-{
-    return m_document.state().view == "error" && m_assets.ready() && hasMeshReference(m_document.state(), m_assets.resources());
-}
-
-Resources MeshReference::resourcesOf(int pane) const
-{
-    Resources resources = m_assets.resources();
-    if (isShown())
-        resources.seen = m_seen[std::size_t(pane)];
-    return resources;
-}
-
-MeshReference::Question MeshReference::question() const
+bool MeshReference::isShown(std::size_t pane) const
 {
     const State& state = m_document.state();
-    const Resources& resources = m_assets.resources();
-    Question question{state.camera, state.part, {}, resources.material->height->identity(), resources.mesh};
-    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
-        const Parameters parameters = effectiveParameters(state, pane);
-        Parameters& kept = question.panes.emplace_back();
-        for (const ParameterRow& row : kParameters)
-            if (row.shown == "animated" || (row.group == Group::Shape && row.key != "normalStrength"))
-                set(kept, row, get(parameters, row));
-    }
-    return question;
+    const ViewRow* view = pane < state.panes.size() ? findView(state.panes[pane].view) : nullptr;
+    return view && !view->fileOnMesh.empty() && m_assets.ready() && hasMeshReference(state, m_assets.resources());
+}
+
+bool MeshReference::anyShown() const
+{
+    for (std::size_t pane = 0; pane < m_document.state().panes.size(); ++pane)
+        if (isShown(pane))
+            return true;
+    return false;
+}
+
+std::shared_ptr<const ExactDistances> MeshReference::exactOf(std::size_t pane) const
+{
+    return pane < m_exact.size() && isShown(pane) ? m_exact[pane] : nullptr;
+}
+
+bool MeshReference::answers(std::size_t pane) const
+{
+    const ExactQuestion& question = m_exact[pane]->question;
+    return pane < m_document.state().panes.size()
+        && question == exactQuestion(m_document.state(), pane, m_assets.resources(), question.width, question.height);
+}
+
+MeshReference::Questions MeshReference::questions(const std::vector<PaneArea>& areas) const
+{
+    Questions questions(m_document.state().panes.size());
+    for (std::size_t pane = 0; pane < questions.size() && pane < areas.size(); ++pane)
+        if (isShown(pane))
+            questions[pane] = exactQuestion(m_document.state(), pane, m_assets.resources(), areas[pane].width, areas[pane].height);
+    return questions;
 }
 
 void MeshReference::follow()
 {
-    const bool isAnother = isShown() && m_question != question();
-    if (isAnother || (!isShown() && m_background.busy())) {
+    const bool isAnother = anyShown() && m_asked != questions(m_areas);
+    if (isAnother || (!anyShown() && m_background.busy())) {
         m_background.cancel();
-        m_seen = {}, m_told = {};
-        m_question.reset();
-        m_width = m_height = 0;
+        m_asked.clear(), m_areas.clear(), m_told.clear();
+        for (std::size_t pane = 0; pane < m_exact.size(); ++pane) // another pane's answer stays
+            if (m_exact[pane] && !answers(pane))
+                m_exact[pane].reset();
     }
     tell();
 }
 
 void MeshReference::tell()
 {
-    m_messages.set("reference", isShown() ? m_told : QList<Message>());
-    if (isShown() && (m_width == 0 || m_background.busy()))
+    m_messages.set("reference", anyShown() ? m_told : QList<Message>());
+    if (anyShown() && (m_areas.empty() || m_background.busy()))
         m_messages.setNotice("tracing", tr("The error is against the flat relief until the displaced mesh has been traced."));
     else
         m_messages.clear("tracing");
 }
 
-void MeshReference::want(int width, int height)
+void MeshReference::want(const std::vector<PaneArea>& areas)
 {
-    if (!isShown() || (width == m_width && height == m_height)) // also when it could not be made
+    if (!anyShown() || questions(areas) == m_asked) // also when it could not be made
         return;
-    m_width = width, m_height = height;
-    m_question = question();
-    m_background.start(
-        [this, state = m_document.state(), resources = m_assets.resources(), width, height](const Progress& progress) -> Background::Then {
-            std::array<std::shared_ptr<const SeenDistances>, 2> seen;
-            QList<Message> told;
-            for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
-                Warnings coarse;
-                auto distances = exactDistances(state, pane, resources, width, height, coarse, progress);
-                if (!distances)
-                    told.append({true, QString::fromStdString(message(distances.error()))});
-                else
-                    seen[pane] = std::make_shared<const SeenDistances>(std::move(*distances));
-                for (const Warning& warning : coarse)
-                    told.append({false, QString::fromStdString(warning.text)});
-            }
-            return [this, seen, told] {
-                m_told = told, m_seen = seen;
-                tell();
-                Q_EMIT made();
-            };
-        });
+    m_areas = areas;
+    m_asked = questions(areas);
+    m_background.start([this, state = m_document.state(), resources = m_assets.resources(), asked = m_asked, kept = m_exact](
+                           const Progress& progress) -> Background::Then {
+        std::vector<std::shared_ptr<const ExactDistances>> exact(asked.size());
+        QList<Message> told;
+        for (std::size_t pane = 0; pane < asked.size(); ++pane) {
+            if (pane < kept.size() && kept[pane] && asked[pane] == kept[pane]->question)
+                exact[pane] = kept[pane];
+            if (!asked[pane] || exact[pane])
+                continue;
+            Warnings coarse;
+            const Progress share = progress.part(float(pane) / float(asked.size()), float(pane + 1) / float(asked.size()));
+            auto distances = exactDistances(state, pane, resources, asked[pane]->width, asked[pane]->height, coarse, share);
+            if (!distances)
+                told.append({true, QString::fromStdString(message(distances.error()))});
+            else
+                exact[pane] = std::move(*distances);
+            for (const Warning& warning : coarse)
+                told.append({false, QString::fromStdString(warning.text)});
+        }
+        return [this, exact, told] {
+            m_told = told, m_exact = exact;
+            tell();
+            Q_EMIT made();
+        };
+    });
     tell();
 }
 

@@ -32,11 +32,16 @@ QString techniqueText(const State& state, std::size_t pane)
         return QString::fromStdString(state.panes[pane].technique);
     const Parameters p = effectiveParameters(state, pane);
     QString text = qt(technique->label);
-    if (listHas(technique->parameters, "maxSteps"))
+    if (technique->parameters.contains(&Parameters::maxSteps))
         text += p.minSteps == p.maxSteps ? QString(" %1").arg(p.maxSteps) : QString(" %1\u2013%2").arg(p.minSteps).arg(p.maxSteps);
-    if (listHas(technique->parameters, "refineSteps") && p.refineSteps > 0)
+    if (technique->parameters.contains(&Parameters::refineSteps) && p.refineSteps > 0)
         text += QString("+%1").arg(p.refineSteps);
     return text;
+}
+
+QString paneLetter(std::size_t pane)
+{
+    return QString(QChar('A' + int(pane)));
 }
 
 PaneCaption::PaneCaption(QWidget* parent) : QAbstractButton(parent)

@@ -12,7 +12,9 @@ namespace relievo {
 // "relief 8-32+6": the technique and what decides its cost, for the caption of a pane.
 QString techniqueText(const State& state, std::size_t pane);
 
-// A chip in a pane's corner: letter (two panes only), technique, and measured cost. Pressed, it offers the techniques.
+QString paneLetter(std::size_t pane); // "A" for the first
+
+// A chip in a pane's corner: letter (of several panes), technique, and measured cost. Pressed, it offers the techniques.
 class PaneCaption : public QAbstractButton {
     Q_OBJECT
 public:

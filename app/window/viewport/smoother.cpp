@@ -53,13 +53,13 @@ void Smoother::upload()
     m_uploaded = m_count;
 }
 
-void Smoother::copyTo(unsigned framebuffer, int x, int width, int height)
+void Smoother::copyTo(unsigned framebuffer, const PaneArea& to)
 {
     if (m_uploaded != m_count)
         upload();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glBlitFramebuffer(0, 0, m_width, m_height, x, 0, x + width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitFramebuffer(0, 0, m_width, m_height, to.x, to.y, to.x + to.width, to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 

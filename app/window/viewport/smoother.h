@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "render/renderer.h"
+#include "app/window/viewport/pane_layout.h"
+#include "render/gl/framebuffer.h"
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <vector>
@@ -21,7 +22,7 @@ public:
     int count() const { return m_count; }
     glm::vec2 nextShift() const; // of the picture to be added next, pixels in [-0.5, 0.5)
     void add(const Framebuffer& picture); // all of one size since the restart
-    void copyTo(unsigned framebuffer, int x, int width, int height); // the mean; afterwards `framebuffer` is bound
+    void copyTo(unsigned framebuffer, const PaneArea& to); // the mean, y up from below; afterwards `framebuffer` is bound
 
 private:
     void upload();

@@ -1,11 +1,9 @@
-// Drawing the panes: when, how finely, and what stands over them.
+// Drawing the panes: when and how finely.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/viewport.h"
 #include "app/window/viewport/gl_calls.h"
-#include "app/window/viewport/overlays.h"
-#include "render/windowless.h"
-#include <QPainter>
+#include <QElapsedTimer>
 #include <QScopeGuard>
 #include <algorithm>
 #include <cmath>
@@ -15,12 +13,6 @@ namespace {
 constexpr int kRestDelay = 100; // ms without a move until the full picture
 constexpr int kMeasureDelay = 60; // ms from the full picture to the counting of fetches
 constexpr int kSmoothLimit = 400; // ms that one more picture may keep the hand waiting
-constexpr int kGap = 2; // pixels between two panes
-
-int scaled(int pixels, double scale)
-{
-    return std::max(1, int(std::lround(pixels * scale)));
-}
 } // namespace
 
 Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidget* parent)
@@ -29,24 +21,23 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     , m_assets(assets)
     , m_messages(messages)
     , m_reference(new MeshReference(document, assets, messages, this)) // hears of changes before the picture does
-    , m_legends{new HeatLegend(this), new HeatLegend(this)}
-    , m_hint(new Hint(this))
+    , m_navigator(new Navigator(document,
+          {.isReady = [this] { return m_assets.ready(); },
+              .paneAt = [this](QPointF position) { return paneAt(position); },
+              .view = [this](std::size_t pane) { return view(pane); }},
+          this))
+    , m_overlays(this, document, [this](std::size_t pane) { setActivePane(int(pane)); })
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 240);
     setUpdateBehavior(QOpenGLWidget::PartialUpdate);
-    for (int i = 0; i < 2; ++i) {
-        m_captions[std::size_t(i)] = new PaneCaption(this);
-        connect(m_captions[std::size_t(i)], &PaneCaption::clicked, this, [this, i] { chooseTechnique(i); });
-    }
     for (QTimer* timer : {&m_rest, &m_measuring, &m_smoothing})
         timer->setSingleShot(true);
     connect(&m_smoothing, &QTimer::timeout, this, &Viewport::smooth);
     connect(&m_rest, &QTimer::timeout, this, [this] { refresh(false); });
     connect(&m_measuring, &QTimer::timeout, this, &Viewport::measure);
-    connect(&m_flying, &QTimer::timeout, this, &Viewport::fly);
     connect(&m_shaderWatch, &QTimer::timeout, this, [this] {
-        if (m_renderer && m_renderer->shadersChanged())
+        if (m_pictures && m_pictures->shadersChanged())
             refresh(false);
     });
     if (qEnvironmentVariableIsSet("RELIEVO_SHADERS"))
@@ -55,13 +46,19 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     connect(&document, &Document::gestureEnded, this, [this] { refresh(false); });
     connect(&assets, &Assets::resourcesChanged, this, [this] { refresh(false); });
     connect(m_reference, &MeshReference::made, this, [this] { refresh(false); });
+    connect(m_navigator, &Navigator::pressed, this, [this](std::size_t pane) { setActivePane(int(pane)); });
+    connect(m_navigator, &Navigator::wheeled, this, [this] { refresh(true); });
+    connect(m_navigator, &Navigator::hint, this, [this](const QString& text) { m_overlays.say(text); });
+    connect(m_navigator, &Navigator::ended, this, [this](bool movedCamera) {
+        if (movedCamera && m_moving)
+            refresh(false);
+    });
     updateOverlays();
 }
 
 Viewport::~Viewport()
 {
     makeCurrent();
-    m_renderer.reset();
     m_pictures.reset();
     doneCurrent();
 }
@@ -72,43 +69,51 @@ void Viewport::initializeGL()
     if (version < 41)
         return m_messages.set("picture",
             Error{"OpenGL 4.1 is needed", QString("OpenGL %1.%2").arg(version / 10).arg(version % 10).toStdString(),
-                "Update the graphics driver"});
-    m_renderer = std::make_unique<Renderer>();
-    m_pictures = std::make_unique<Pictures>();
+                "Update the graphics driver", ErrorCode::Driver});
+    m_pictures = std::make_unique<PanePictures>();
 }
 
 void Viewport::resizeGL(int, int)
 {
-    placeOverlays();
+    updateOverlays();
     refresh(m_shownScale > 0.); // coarse while the window is pulled larger
 }
 
-Viewport::PaneArea Viewport::area(int pane) const
+std::vector<PaneArea> Viewport::areas() const
 {
-    const int width = scaled(this->width(), devicePixelRatioF()), height = scaled(this->height(), devicePixelRatioF());
-    if (paneCount() == 1)
-        return {0, width, height};
-    const int half = (width - kGap) / 2;
-    return {pane == 0 ? 0 : width - half, half, height};
+    const auto pixels = [this](int size) { return std::max(1, int(std::lround(size * devicePixelRatioF()))); };
+    return paneAreas(int(paneCount()), pixels(width()), pixels(height()));
 }
 
-CameraView Viewport::sight() const
+std::size_t Viewport::paneAt(QPointF position) const
 {
-    const PaneArea size = area(0);
+    return relievo::paneAt(areas(), position.x() * devicePixelRatioF(), position.y() * devicePixelRatioF())
+        .value_or(std::size_t(m_activePane));
+}
+
+ShownScene Viewport::scene() const
+{
+    return {m_document.state(), m_assets.resources(), *m_reference, devicePixelRatioF()};
+}
+
+Navigator::PaneView Viewport::view(std::size_t pane) const
+{
+    const std::vector<PaneArea> all = areas();
+    const PaneArea& area = all[std::min(pane, all.size() - 1)];
     const Mesh& mesh = *m_assets.resources().mesh;
-    return cameraView(m_document.state().camera, mesh.boundsMin, mesh.boundsMax, float(size.width) / float(std::max(size.height, 1)));
+    return {cameraView(cameraOf(m_document.state(), pane), mesh.boundsMin, mesh.boundsMax, area.aspect()),
+        double(area.height) / devicePixelRatioF()};
 }
 
 void Viewport::documentChanged(Changes what)
 {
     if (what & Change::Panes) {
-        m_measured = {};
-        if (m_activePane >= paneCount())
+        m_measured.clear();
+        if (m_activePane >= int(paneCount()))
             setActivePane(0);
-        placeOverlays();
     }
     if (what & ~Changes(Change::Name)) // a moment is soon followed by the next
-        refresh(m_drag.has_value() || m_document.inGesture() || what == Changes(Change::Moment));
+        refresh(m_navigator->isDragging() || m_document.inGesture() || what == Changes(Change::Moment));
     if (what & ~(Changes(Change::Camera) | Change::Moment))
         updateOverlays();
 }
@@ -128,22 +133,12 @@ void Viewport::refresh(bool moving)
 
 void Viewport::paintGL()
 {
-    if (!m_renderer || !m_assets.ready())
+    if (!m_pictures || !m_assets.ready())
         return clearTo(defaultFramebufferObject(), 0.2f, 0.2f, 0.2f);
     if (m_stale)
         drawPanes(m_moving ? m_pacer.scale() : 1.);
-    showPanes();
+    m_pictures->show(defaultFramebufferObject(), areas(), std::max(1, int(std::lround(height() * devicePixelRatioF()))));
     Q_EMIT painted(m_shownScale >= 1.);
-}
-
-Expected<void> Viewport::drawPane(int pane, double scale, glm::vec2 shift)
-{
-    const PaneArea size = area(pane);
-    Framebuffer& picture = m_pictures->drawn[std::size_t(pane)];
-    picture.resize(scaled(size.width, scale), scaled(size.height, scale));
-    const Target target{picture.handle(), picture.width(), picture.height(), false, float(std::max(1., devicePixelRatioF() * scale)), shift,
-        scale < 1., false};
-    return m_renderer->draw(m_document.state(), std::size_t(pane), m_reference->resourcesOf(pane), m_document.state().view, target);
 }
 
 void Viewport::drawPanes(double scale)
@@ -151,11 +146,10 @@ void Viewport::drawPanes(double scale)
     QElapsedTimer clock;
     clock.start();
     QList<Message> troubles;
-    for (int pane = 0; pane < paneCount(); ++pane) {
-        m_pictures->smooth[std::size_t(pane)].restart();
-        if (const auto drawn = drawPane(pane, scale, {}); !drawn)
+    const std::vector<PaneArea> all = areas();
+    for (std::size_t pane = 0; pane < all.size(); ++pane)
+        if (const auto drawn = m_pictures->draw(scene(), pane, all[pane], scale); !drawn)
             troubles.append({true, QString::fromStdString(message(drawn.error()))});
-    }
     finishDrawing();
     m_pacer.took(double(clock.nsecsElapsed()) * 1e-6, scale);
     m_stale = false;
@@ -170,10 +164,12 @@ void Viewport::drawPanes(double scale)
 void Viewport::drawn(const QList<Message>& troubles)
 {
     // Maps that are being made, or were stopped, are told by Assets.
-    m_messages.set("picture", missingBounds(m_document.state(), m_assets.resources()).empty() ? troubles : QList<Message>());
+    const Resources& resources = m_assets.resources();
+    const bool waits = !resources.accelerationMaps.missingFor(m_document.state(), *resources.material).empty();
+    m_messages.set("picture", waits ? QList<Message>() : troubles);
     if (troubles.isEmpty())
         return;
-    m_measured = {}; // it was of another picture
+    m_measured.clear(); // it was of another picture
     updateOverlays();
 }
 
@@ -185,11 +181,10 @@ void Viewport::smooth()
     QElapsedTimer clock;
     clock.start();
     makeCurrent();
-    for (int pane = 0; pane < paneCount(); ++pane) {
-        Smoother& mean = m_pictures->smooth[std::size_t(pane)];
-        if (drawPane(pane, 1., mean.nextShift()))
-            mean.add(m_pictures->drawn[std::size_t(pane)]);
-    }
+    const std::vector<PaneArea> all = areas();
+    for (std::size_t pane = 0; pane < all.size(); ++pane)
+        if (!m_reference->isShown(pane)) // the exact answer is of the unshifted picture
+            m_pictures->addSample(scene(), pane, all[pane]);
     doneCurrent();
     if (smoothSamples() == 0)
         return;
@@ -198,60 +193,43 @@ void Viewport::smooth()
     update();
 }
 
-void Viewport::showPanes()
-{
-    const unsigned screen = defaultFramebufferObject();
-    if (paneCount() > 1)
-        clearTo(screen, 0.1f, 0.1f, 0.1f); // the gap between them
-    for (int pane = 0; pane < paneCount(); ++pane) {
-        const PaneArea to = area(pane);
-        if (Smoother& mean = m_pictures->smooth[std::size_t(pane)]; mean.count() > 0)
-            mean.copyTo(screen, to.x, to.width, to.height);
-        else
-            copyTo(m_pictures->drawn[std::size_t(pane)], screen, to.x, to.width, to.height);
-    }
-}
-
 // Counts the fetches of what is shown, then smooths the edges.
 void Viewport::measure()
 {
-    if (m_stale || !m_renderer || !m_assets.ready())
+    if (m_stale || !m_pictures || !m_assets.ready())
         return;
     makeCurrent();
-    for (int pane = 0; pane < paneCount(); ++pane) {
-        const PaneArea size = area(pane);
-        const auto measured = m_renderer->measure(
-            m_document.state(), std::size_t(pane), m_assets.resources(), float(size.width) / float(std::max(size.height, 1)), false);
-        m_measured[std::size_t(pane)] = measured ? std::optional(*measured) : std::nullopt;
-    }
+    const std::vector<PaneArea> all = areas();
+    m_measured = m_pictures->measure(scene(), all);
     doneCurrent();
     updateOverlays();
-    if (m_reference->isShown())
-        m_reference->want(area(0).width, area(0).height);
-    else
-        m_smoothing.start(0);
+    m_reference->want(all);
+    m_smoothing.start(0);
 }
 
 QImage Viewport::picture()
 {
-    if (!m_renderer || !m_assets.ready())
+    if (!m_pictures || !m_assets.ready())
         return {};
     makeCurrent();
     const auto done = qScopeGuard([this] { doneCurrent(); });
-    const PaneArea last = area(paneCount() - 1);
-    QImage sheet(last.x + last.width, last.height, QImage::Format_RGBA8888);
-    sheet.fill(Qt::transparent);
-    QPainter painter(&sheet);
-    for (int pane = 0; pane < paneCount(); ++pane) {
-        const PaneArea size = area(pane);
-        const auto drawn = drawPicture(*m_renderer, m_document.state(), std::size_t(pane), m_reference->resourcesOf(pane),
-            m_document.state().view, size.width, size.height, m_reference->isShown() ? 1 : kSmoothSamples, false, false);
-        if (!drawn)
-            return {}; // the message line says why
-        const QImage part(reinterpret_cast<const uchar*>(drawn->data.data()), drawn->width, drawn->height, QImage::Format_RGBA8888);
-        painter.drawImage(size.x, 0, part);
-    }
-    return sheet;
+    return m_pictures->sheet(scene(), areas(), kSmoothSamples);
+}
+
+void Viewport::setActivePane(int pane)
+{
+    pane = std::clamp(pane, 0, int(paneCount()) - 1);
+    if (pane == m_activePane)
+        return;
+    m_activePane = pane;
+    updateOverlays();
+    Q_EMIT activePaneChanged(pane);
+}
+
+void Viewport::updateOverlays()
+{
+    m_overlays.update(m_measured, std::size_t(m_activePane));
+    m_overlays.place(areas(), devicePixelRatioF());
 }
 
 } // namespace relievo

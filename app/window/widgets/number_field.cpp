@@ -93,7 +93,7 @@ void NumberField::commit()
         return sayRange();
     }
     double typed = *read;
-    if (std::holds_alternative<int Parameters::*>(m_row.member))
+    if (kindOf(m_row) == ValueKind::Whole)
         typed = std::round(typed);
     const double allowed = std::clamp(typed, double(m_row.min), double(m_row.max));
     const bool differs = allowed != m_value;
@@ -122,7 +122,7 @@ std::optional<double> typedNumber(const ParameterRow& row, QString text)
             text.chop(unit.size());
         return there;
     };
-    const bool isShare = row.max <= 1 && !std::holds_alternative<int Parameters::*>(row.member);
+    const bool isShare = row.max <= 1 && kindOf(row) != ValueKind::Whole;
     const double scale = isShare && drop("%") ? 0.01 : 1.;
     if (row.unit != "deg" || !drop(QString::fromUtf8("\u00b0")))
         drop(qt(row.unit));

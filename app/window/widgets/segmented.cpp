@@ -19,6 +19,14 @@ Segmented::Segmented(const QVector<Item>& items, QWidget* parent) : QWidget(pare
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
+void Segmented::setItems(const QVector<Item>& items)
+{
+    m_items = items;
+    m_current = m_hovered = -1;
+    updateGeometry();
+    update();
+}
+
 void Segmented::setCurrent(int index)
 {
     m_current = index;

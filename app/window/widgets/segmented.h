@@ -17,6 +17,7 @@ public:
         QIcon icon; // instead of text, when there is one
     };
     explicit Segmented(const QVector<Item>& items, QWidget* parent = nullptr);
+    void setItems(const QVector<Item>& items); // none of them is current then
     int current() const { return m_current; }
     void setCurrent(int index); // without signal; -1 for none
     int count() const { return int(m_items.size()); }

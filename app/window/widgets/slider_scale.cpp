@@ -67,7 +67,7 @@ double SliderScale::rounded(double v, Grain grain) const
 
 SliderScale scaleOf(const ParameterRow& row)
 {
-    SliderScale scale{SliderScale::Kind::Linear, row.min, row.max, std::holds_alternative<int Parameters::*>(row.member)};
+    SliderScale scale{SliderScale::Kind::Linear, row.min, row.max, kindOf(row) == ValueKind::Whole};
     if (row.min > 0 && row.max / row.min >= 100)
         scale.kind = SliderScale::Kind::Logarithmic;
     else if (row.min == 0 && row.max >= 10 && !scale.whole)
@@ -91,7 +91,7 @@ QString numberText(const ParameterRow& row, double value)
 {
     if (row.key == "metresPerUV" && value == 0)
         return QObject::tr("auto"); // measured from the mesh
-    if (std::holds_alternative<int Parameters::*>(row.member))
+    if (kindOf(row) == ValueKind::Whole)
         return QString::number(std::lround(value));
     const double reach = std::max(std::abs(double(row.min)), std::abs(double(row.max)));
     const int most = std::min(decimalsOf(value), 5);

@@ -1,0 +1,121 @@
+// Telling and placing what stands over the panes.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/viewport/pane_overlays.h"
+#include "app/window/panels/technique_bar.h"
+#include "app/window/widgets/text.h"
+#include "app/window/widgets/theme.h"
+#include "core/state/views.h"
+#include <algorithm>
+
+namespace relievo {
+
+namespace {
+constexpr int kMargin = 12; // px from the picture's edge to what lies over it
+
+// A heat map's legend: of which view, and up to which value. Nothing for other views.
+struct Range {
+    const ViewRow* view = nullptr;
+    double most = 0;
+    bool operator==(const Range&) const = default;
+};
+Range rangeOf(const State& state, std::size_t pane)
+{
+    const ViewRow* view = findView(state.panes[pane].view);
+    return view && view->isHeat ? Range{view, double(heatRange(effectiveParameters(state, pane), *view))} : Range{};
+}
+} // namespace
+
+PaneOverlays::PaneOverlays(QWidget* viewport, Document& document, std::function<void(std::size_t)> captionPressed)
+    : m_viewport(viewport)
+    , m_document(document)
+    , m_captionPressed(std::move(captionPressed))
+    , m_hint(new Hint(viewport))
+{
+}
+
+void PaneOverlays::makeFor(std::size_t panes)
+{
+    while (m_captions.size() < panes) {
+        const std::size_t pane = m_captions.size();
+        m_captions.push_back(new PaneCaption(m_viewport));
+        m_legends.push_back(new HeatLegend(m_viewport));
+        QObject::connect(m_captions.back(), &PaneCaption::clicked, m_viewport, [this, pane] { chooseTechnique(pane); });
+    }
+}
+
+void PaneOverlays::update(const std::vector<std::optional<Measurement>>& measured, std::size_t activePane)
+{
+    const State& state = m_document.state();
+    const std::size_t count = state.panes.size();
+    makeFor(count);
+    const Range first = rangeOf(state, 0);
+    m_oneLegend = count > 1 && first.view;
+    for (std::size_t pane = 1; pane < count; ++pane)
+        m_oneLegend = m_oneLegend && rangeOf(state, pane) == first;
+    for (std::size_t pane = 0; pane < m_captions.size(); ++pane) {
+        const Range range = pane < count ? rangeOf(state, pane) : Range{};
+        m_captions[pane]->setVisible(pane < count);
+        m_legends[pane]->setVisible(range.view && (pane == 0 || !m_oneLegend));
+        if (pane >= count)
+            continue;
+        const QString cost = pane < measured.size() && measured[pane]
+            ? QObject::tr("%1 fetches/px").arg(measured[pane]->meanFetches, 0, 'f', 1)
+            : QString();
+        m_captions[pane]->show(count == 1 ? QString() : paneLetter(pane), techniqueText(state, pane), cost, pane == activePane);
+        if (range.view)
+            m_legends[pane]->show(qt(range.view->label), qt(range.view->unit), range.most);
+    }
+}
+
+void PaneOverlays::place(const std::vector<PaneArea>& areas, double pixelRatio)
+{
+    makeFor(areas.size());
+    const auto toWindow = [pixelRatio](int pixels) { return int(pixels / pixelRatio); };
+    const int width = m_viewport->width(), height = m_viewport->height();
+    for (std::size_t pane = 0; pane < areas.size(); ++pane) {
+        const PaneArea& area = areas[pane];
+        const int left = toWindow(area.x) + kMargin;
+        m_captions[pane]->move(left, toWindow(area.y) + kMargin);
+        m_captions[pane]->fit(toWindow(area.width) - 2 * kMargin);
+        HeatLegend& legend = *m_legends[pane];
+        const int room = (m_oneLegend ? width : toWindow(area.width)) - 2 * kMargin;
+        legend.resize(std::clamp(room, 0, legend.sizeHint().width()), legend.sizeHint().height());
+        // One range of several panes stands between them, over all.
+        const int bottom = m_oneLegend ? height : toWindow(area.y + area.height);
+        legend.move(m_oneLegend ? (width - legend.width()) / 2 : left, bottom - kMargin - legend.height());
+    }
+    placeHint();
+}
+
+// In the middle, over the legends that stand at the lower edge.
+void PaneOverlays::placeHint()
+{
+    const int width = m_viewport->width(), height = m_viewport->height();
+    int floor = height;
+    for (const HeatLegend* legend : m_legends)
+        if (!legend->isHidden() && legend->geometry().bottom() > height - 2 * legend->height())
+            floor = std::min(floor, legend->y());
+    m_hint->move((width - m_hint->width()) / 2, floor - kMargin - m_hint->height());
+}
+
+void PaneOverlays::say(const QString& hint)
+{
+    m_hint->say(hint);
+    placeHint();
+}
+
+// The document may have changed while the menu is open.
+void PaneOverlays::chooseTechnique(std::size_t pane)
+{
+    m_captionPressed(pane);
+    const QPoint below = m_captions[pane]->mapToGlobal(QPoint(0, kRowHeight + kGrid));
+    popUpTechniques(m_viewport, below, m_document.state().panes[pane].technique, [this, pane](const TechniqueRow& row) {
+        m_document.edit(QObject::tr("Technique %1").arg(qt(row.label)), [&](State& state) {
+            if (pane < state.panes.size())
+                state.panes[pane].technique = row.key;
+        });
+    });
+}
+
+} // namespace relievo

@@ -1,0 +1,40 @@
+// What stands over the panes and where: captions, legends of heat maps, the hint.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "app/window/document/document.h"
+#include "app/window/viewport/overlays.h"
+#include "app/window/viewport/pane_layout.h"
+#include "render/renderer.h"
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace relievo {
+
+// Children of the viewport, which owns them.
+class PaneOverlays {
+public:
+    // A caption that is pressed calls captionPressed and then offers the techniques.
+    PaneOverlays(QWidget* viewport, Document& document, std::function<void(std::size_t)> captionPressed);
+
+    // What they say. measured: of each pane, where it is known.
+    void update(const std::vector<std::optional<Measurement>>& measured, std::size_t activePane);
+    // Where they stand; areas: of the panes, in pixels of the screen.
+    void place(const std::vector<PaneArea>& areas, double pixelRatio);
+    void say(const QString& hint); // "" for nothing
+
+private:
+    void chooseTechnique(std::size_t pane);
+    void placeHint();
+    void makeFor(std::size_t panes);
+    QWidget* m_viewport;
+    Document& m_document;
+    std::function<void(std::size_t)> m_captionPressed;
+    std::vector<PaneCaption*> m_captions;
+    std::vector<HeatLegend*> m_legends; // of the panes; the first one alone when all show one range
+    bool m_oneLegend = false; // over all panes
+    Hint* m_hint;
+};
+
+} // namespace relievo

@@ -1,0 +1,111 @@
+// Drawing panes into pictures and pictures onto the screen.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/viewport/pane_pictures.h"
+#include "app/window/viewport/gl_calls.h"
+#include "app/window/viewport/mesh_reference.h"
+#include "render/windowless.h"
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace relievo {
+
+namespace {
+int scaled(int pixels, double scale)
+{
+    return std::max(1, int(std::lround(pixels * scale)));
+}
+} // namespace
+
+PanePictures::Picture& PanePictures::picture(std::size_t pane)
+{
+    while (m_pictures.size() <= pane)
+        m_pictures.emplace_back();
+    return *std::next(m_pictures.begin(), std::ptrdiff_t(pane));
+}
+
+Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale, glm::vec2 shift)
+{
+    Framebuffer& drawn = picture(pane).drawn;
+    drawn.resize(scaled(area.width, scale), scaled(area.height, scale));
+    DrawRequest request(scene.state, pane, scene.resources,
+        {.framebuffer = drawn.handle(),
+            .width = drawn.width(),
+            .height = drawn.height(),
+            .lineWidth = float(std::max(1., scene.pixelRatio * scale)),
+            .jitter = shift,
+            .isPassing = scale < 1.});
+    if (scale >= 1.)
+        request.compareWith(scene.reference.exactOf(pane));
+    return m_renderer.draw(request);
+}
+
+Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale)
+{
+    picture(pane).mean.restart();
+    return draw(scene, pane, area, scale, {});
+}
+
+void PanePictures::addSample(const ShownScene& scene, std::size_t pane, const PaneArea& area)
+{
+    Picture& own = picture(pane);
+    if (draw(scene, pane, area, 1., own.mean.nextShift()))
+        own.mean.add(own.drawn);
+}
+
+int PanePictures::samples() const
+{
+    int most = 0;
+    for (const Picture& picture : m_pictures)
+        most = std::max(most, picture.mean.count());
+    return most;
+}
+
+void PanePictures::show(unsigned framebuffer, const std::vector<PaneArea>& areas, int height)
+{
+    if (areas.size() > 1)
+        clearTo(framebuffer, 0.1f, 0.1f, 0.1f); // the gaps between them
+    for (std::size_t pane = 0; pane < areas.size(); ++pane) {
+        PaneArea to = areas[pane];
+        to.y = height - to.y - to.height; // OpenGL counts from below
+        Picture& own = picture(pane);
+        if (own.mean.count() > 0)
+            own.mean.copyTo(framebuffer, to);
+        else
+            copyTo(own.drawn, framebuffer, to);
+    }
+}
+
+std::vector<std::optional<Measurement>> PanePictures::measure(const ShownScene& scene, const std::vector<PaneArea>& areas)
+{
+    std::vector<std::optional<Measurement>> measured(areas.size());
+    for (std::size_t pane = 0; pane < areas.size(); ++pane)
+        if (const auto counted = m_renderer.measure(scene.state, pane, scene.resources, areas[pane].aspect()))
+            measured[pane] = *counted;
+    return measured;
+}
+
+QImage PanePictures::sheet(const ShownScene& scene, const std::vector<PaneArea>& areas, int samples)
+{
+    Resources resources = scene.resources;
+    if (!resources.accelerationMaps.missingFor(scene.state, *resources.material).empty())
+        return {}; // they are not made here: the window would stand still
+    QImage sheet(areas.back().x + areas.back().width, areas.back().y + areas.back().height, QImage::Format_RGBA8888);
+    sheet.fill(Qt::transparent);
+    QPainter painter(&sheet);
+    for (std::size_t pane = 0; pane < areas.size(); ++pane) {
+        const PaneArea& area = areas[pane];
+        const int each = scene.reference.isShown(pane) ? 1 : samples; // the exact answer is of the unshifted picture
+        const auto drawn = drawPicture(
+            m_renderer, scene.state, pane, resources, {}, area.width, area.height, each, false, scene.reference.exactOf(pane));
+        if (!drawn)
+            return {}; // the message line says why
+        const QImage part(reinterpret_cast<const uchar*>(drawn->data.data()), drawn->width, drawn->height, QImage::Format_RGBA8888);
+        painter.drawImage(area.x, area.y, part);
+    }
+    return sheet;
+}
+
+} // namespace relievo

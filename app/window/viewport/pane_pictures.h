@@ -1,0 +1,55 @@
+// The pictures of the panes in the viewport's OpenGL context: drawn, averaged while the hand rests, and shown.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "app/window/viewport/pane_layout.h"
+#include "app/window/viewport/smoother.h"
+#include "render/renderer.h"
+#include <QImage>
+#include <list>
+#include <optional>
+#include <vector>
+
+namespace relievo {
+
+class MeshReference;
+
+// What the panes show. Refers to values of others.
+struct ShownScene {
+    const State& state;
+    const Resources& resources;
+    const MeshReference& reference;
+    double pixelRatio; // pixels of the screen a pixel of the window
+};
+
+// All calls need the context current in which it was made.
+class PanePictures {
+public:
+    // A new picture of a pane at a share of its full resolution along each side; its averaging begins anew.
+    Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale);
+    // One more picture, shifted below a pixel, for the mean of a pane at full resolution.
+    void addSample(const ShownScene& scene, std::size_t pane, const PaneArea& area);
+    int samples() const; // averaged in what is shown, of the pane that has most; 0: as the pixels fall
+
+    // Copies what was drawn into a framebuffer `height` pixels high.
+    void show(unsigned framebuffer, const std::vector<PaneArea>& areas, int height);
+
+    // Counts the fetches of each pane; nothing for one that cannot be drawn.
+    std::vector<std::optional<Measurement>> measure(const ShownScene& scene, const std::vector<PaneArea>& areas);
+    // All panes in full resolution, `samples` pictures averaged in each; null when one of them cannot be drawn.
+    QImage sheet(const ShownScene& scene, const std::vector<PaneArea>& areas, int samples);
+
+    bool shadersChanged() const { return m_renderer.shadersChanged(); }
+
+private:
+    struct Picture {
+        Framebuffer drawn;
+        Smoother mean;
+    };
+    Picture& picture(std::size_t pane);
+    Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale, glm::vec2 shift);
+    Renderer m_renderer;
+    std::list<Picture> m_pictures; // of the panes in order; these do not move in memory
+};
+
+} // namespace relievo
