@@ -106,7 +106,7 @@ TEST(Document, SavedAndReadAgainIsEqual)
     setDepth(document, 0.2f);
     document.edit("Panes", [](State& state) {
         state.panes.push_back({"parallax", {{"maxSteps", 64}, {"depth", 0.3f}}});
-        state.view = "normal";
+        setView(state, "normal");
     });
     ASSERT_TRUE(document.save(file));
     EXPECT_FALSE(document.isModified());

@@ -37,7 +37,7 @@ TEST_F(KeysTest, TheViewsAndTechniquesHaveTheirKeysAfterTheMenuWasOpenToo)
             EXPECT_TRUE(menu->actions()[1]->text().endsWith("2")) << menu->actions()[1]->text().toStdString();
         }
     QTest::keyClick(&window, Qt::Key_5);
-    EXPECT_EQ(state().view, "fetches");
+    EXPECT_EQ(state().panes.front().view, "fetches");
     QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
     EXPECT_EQ(state().panes[0].technique, "bump");
 }

@@ -51,20 +51,20 @@ TEST_F(WindowTest, TheErrorViewAtRestIsThatOfTheDisplacedMesh)
 {
     window.maps().setMesh("sphere");
     ASSERT_TRUE(waitFor([&] { return state().mesh == "sphere"; }));
-    auto* reference = window.viewport().findChild<MeshReference*>();
+    const MeshReference* reference = &window.viewport().reference();
     settle();
-    EXPECT_FALSE(reference->resourcesOf(0).seen); // nothing is made for other views
-    window.document().edit("view", [](State& s) { s.view = "error"; });
-    ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled() && reference->resourcesOf(0).seen; }));
+    EXPECT_FALSE(reference->exactOf(0)); // nothing is made for other views
+    window.document().edit("view", [](State& s) { setView(s, "error"); });
+    ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled() && reference->exactOf(0); }));
     const QImage seen = window.viewport().picture();
-    EXPECT_EQ(reference->resourcesOf(0).seen->width, seen.width());
-    EXPECT_EQ(reference->resourcesOf(0).seen->height, seen.height());
+    EXPECT_EQ(reference->exactOf(0)->pixels.width, seen.width());
+    EXPECT_EQ(reference->exactOf(0)->pixels.height, seen.height());
     window.document().edit("view", [](State& s) { s.camera.yaw += 10.f; });
-    EXPECT_FALSE(reference->resourcesOf(0).seen); // what is seen changed
-    ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled() && reference->resourcesOf(0).seen; }));
-    window.document().edit("view", [](State& s) { s.view = "shaded"; });
+    EXPECT_FALSE(reference->exactOf(0)); // what is seen changed
+    ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled() && reference->exactOf(0); }));
+    window.document().edit("view", [](State& s) { setView(s, "shaded"); });
     EXPECT_FALSE(reference->busy());
-    EXPECT_FALSE(reference->resourcesOf(0).seen);
+    EXPECT_FALSE(reference->exactOf(0));
 }
 
 TEST_F(WindowTest, APartOfAMeshTakesItsOwnMaps)

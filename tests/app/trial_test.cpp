@@ -176,9 +176,9 @@ TEST_F(TrialTest, MenusOpenByKeys)
 TEST_F(TrialTest, EveryViewHasAKey)
 {
     QTest::keyClick(&window, Qt::Key_0);
-    EXPECT_EQ(state().view, "error");
+    EXPECT_EQ(state().panes.front().view, "error");
     QTest::keyClick(&window, Qt::Key_Minus);
-    EXPECT_EQ(state().view, "overshoot");
+    EXPECT_EQ(state().panes.front().view, "overshoot");
 }
 
 TEST_F(TrialTest, TabGoesThroughOneSectionAfterTheOther)

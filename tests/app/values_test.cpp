@@ -23,8 +23,7 @@ const ParameterRow& row(const char* key)
 }
 bool isNumber(const ParameterRow& p)
 {
-    return p.options.empty()
-        && (std::holds_alternative<float Parameters::*>(p.member) || std::holds_alternative<int Parameters::*>(p.member));
+    return kindOf(p) == ValueKind::Number || kindOf(p) == ValueKind::Whole;
 }
 } // namespace
 
@@ -67,15 +66,15 @@ TEST(Editing, APanesOwnValueReachesOnlyThatPane)
 {
     State state;
     setPaneCount(state, 2);
-    assign(state, row("depth"), 0.3f, Scope::B);
+    assign(state, row("depth"), 0.3f, Scope(1));
     EXPECT_FLOAT_EQ(effectiveParameters(state, 0).depth, Parameters{}.depth);
     EXPECT_FLOAT_EQ(effectiveParameters(state, 1).depth, 0.3f);
-    EXPECT_TRUE(isOverridden(state, row("depth"), Scope::B));
-    EXPECT_FALSE(isOverridden(state, row("depth"), Scope::A));
-    reset(state, row("depth"), Scope::B);
-    EXPECT_FALSE(isOverridden(state, row("depth"), Scope::Both));
-    assign(state, row("depth"), 0.3f, Scope::A);
-    assign(state, row("depth"), 0.2f, Scope::Both);
+    EXPECT_TRUE(isOverridden(state, row("depth"), Scope(1)));
+    EXPECT_FALSE(isOverridden(state, row("depth"), Scope(0)));
+    reset(state, row("depth"), Scope(1));
+    EXPECT_FALSE(isOverridden(state, row("depth"), kAllPanes));
+    assign(state, row("depth"), 0.3f, Scope(0));
+    assign(state, row("depth"), 0.2f, kAllPanes);
     EXPECT_FLOAT_EQ(effectiveParameters(state, 0).depth, 0.2f);
 }
 
@@ -98,7 +97,7 @@ TEST(Editing, OnlyWhatIsUsedIsShown)
     EXPECT_FALSE(isShown(state, row("shadowStrength")));
     EXPECT_FALSE(isShown(state, row("shadowBias")));
     EXPECT_TRUE(isShown(state, row("roughness")));
-    state.parameters.shading = 1;
+    state.parameters.shading = Shading::BlinnPhong;
     EXPECT_FALSE(isShown(state, row("roughness")));
     EXPECT_TRUE(isShown(state, row("shininess")));
 }

@@ -54,6 +54,12 @@ protected:
     ParameterEditor& editor(const char* key) { return *window.parameters().findChild<ParameterEditor*>(key); }
     Slider& slider(const char* key) { return *editor(key).findChild<Slider*>(); }
     MapRow& mapRow(const char* kind) { return *window.maps().findChild<MapRow*>(QString("map-") + kind); }
+    // Acceleration maps that the document wants and that are not made.
+    std::vector<std::string_view> missingMaps()
+    {
+        const Resources& resources = window.assets().resources();
+        return resources.accelerationMaps.missingFor(state(), *resources.material);
+    }
     QString file(const char* name) { return folder.filePath(name); }
 
     // Press, moves and release on a widget.

@@ -140,7 +140,7 @@ TEST_F(WindowTest, TwoPanesEachWithATechniqueAndValuesOfTheirOwn)
     EXPECT_EQ(state().panes[1].technique, "bump");
     EXPECT_EQ(state().panes[0].technique, "relief");
 
-    window.parameters().setScope(Scope::B);
+    window.parameters().setScope(Scope(1));
     QTest::mouseClick(editor("heightMips").findChild<Switch*>(), Qt::LeftButton, Qt::NoModifier, QPoint(10, 10));
     EXPECT_TRUE(state().panes[1].overrides.contains("heightMips"));
     EXPECT_TRUE(state().parameters.heightMips);
@@ -149,7 +149,7 @@ TEST_F(WindowTest, TwoPanesEachWithATechniqueAndValuesOfTheirOwn)
         sheet.copy(sheet.width() / 2 + 1, 0, sheet.width() / 2 - 1, sheet.height()));
     window.action("two-panes")->trigger();
     EXPECT_EQ(state().panes.size(), 1u);
-    EXPECT_EQ(window.parameters().scope(), Scope::Both);
+    EXPECT_EQ(window.parameters().scope(), kAllPanes);
 }
 
 TEST_F(WindowTest, OrbitingMovesTheCameraWithoutAStep)
@@ -228,7 +228,7 @@ TEST_F(WindowTest, ThePictureIsCopied)
 TEST_F(WindowTest, ViewsAndWireframeFollowTheState)
 {
     QTest::keyClick(&window, Qt::Key_5);
-    EXPECT_EQ(state().view, "fetches");
+    EXPECT_EQ(state().panes.front().view, "fetches");
     window.action("wireframe")->trigger();
     EXPECT_TRUE(state().parameters.wireframe);
     window.action("undo")->trigger();
@@ -289,7 +289,7 @@ TEST_F(WindowTest, PanesShareALegendUnlessTheirRangesDiffer)
     window.setView("error");
     EXPECT_EQ(shown().size(), 1) << "of equal range";
     window.setView("fetches");
-    window.parameters().setScope(Scope::B);
+    window.parameters().setScope(Scope(1));
     auto* field = editor("fetchRange").findChild<NumberField*>();
     field->setFocus();
     field->selectAll();

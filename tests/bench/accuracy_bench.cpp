@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/settings.h"
 #include "core/analysis/sweep.h"
+#include "core/scene/source.h"
 #include "render/measure/frame_time.h"
 #include "render/measure/picture_errors.h"
 #include <cstdio>
@@ -78,10 +79,10 @@ std::vector<Timed> chosen(const SweepPlan& plan, std::span<const SweepRow> rows,
 void measure(Renderer& renderer, const char* source)
 {
     const Opened opened = orStop(openSource(source, State()));
-    const Resources resources = orStop(loadResources(opened.state, opened.images, {}));
+    Resources resources = orStop(loadResources(opened.state, opened.images, {}));
     if (!resources.material || !resources.material->height)
         stop({"there is no height map", source, "Give sets that have one"});
-    const SweepPlan plan = planFor(opened, resources.material->height->withWrap(wrapOf(opened.state.parameters)));
+    const SweepPlan plan = planFor(opened, resources.material->height->withWrap(opened.state.parameters.wrap));
     const std::vector<SweepRow> rows = orStop(sweep(plan));
     for (std::size_t band = 0; band < kPictureAngles.size(); ++band) {
         const State view = fillingView(opened.state, kPictureAngles[band]);

@@ -26,7 +26,7 @@ struct Time {
     double wall = 0., cpu = 0.;
 };
 
-Time bakeTime(const MapRow& row, const HeightField& field)
+Time bakeTime(const BakedMapRow& row, const HeightField& field)
 {
     const Image normals = row.bakeFromNormals ? normalFromHeight(field, 0.08f) : Image();
     const auto start = std::chrono::steady_clock::now();
@@ -167,7 +167,7 @@ int main(int argc, char** argv)
     const Options options = parsed(argc, argv);
     Growth growth;
     const std::vector<Named> fields = options.growth ? std::vector<Named>() : fieldsAt(1024, options.files);
-    for (const MapRow& row : kMaps) {
+    for (const BakedMapRow& row : kBakedMaps) {
         const std::string key(row.key);
         if (!options.maps.empty() && std::ranges::find(options.maps, key) == options.maps.end())
             continue;

@@ -2,6 +2,7 @@
 // interleaved, median of 9, by the clock between glFinish calls.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/source.h"
 #include "core/state/techniques.h"
 #include "render/windowless.h"
 #include <algorithm>
@@ -29,7 +30,7 @@ double frame(Renderer& renderer, const Case& measured, const Resources& resource
 {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
-    if (const auto drawn = renderer.draw(measured.state, 0, resources, measured.view, target); !drawn)
+    if (const auto drawn = renderer.draw({measured.state, 0, resources, target, measured.view}); !drawn)
         std::fprintf(stderr, "%s\n", message(drawn.error()).c_str());
     glFinish();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -46,24 +47,27 @@ int main()
     State state = opened->state;
     state.camera.pitch = 35.f; // the default view, close enough to fill the picture
     state.camera.distance = 0.7f;
-    const auto with = [&](const char* technique, bool shadows, int shading) {
+    const auto with = [&](const char* technique, bool shadows, Shading shading) {
         State other = state;
-        other.panes = {Pane{technique, {}}};
+        other.panes = {Pane{technique}};
         other.parameters.shadows = shadows;
         other.parameters.shading = shading;
         return other;
     };
-    std::vector<Case> cases = {{"search alone (depth view)", with("relief", false, 0), "depth"},
-        {"relief, metallic-roughness", with("relief", false, 0), "shaded"}, {"relief, Blinn-Phong", with("relief", false, 1), "shaded"},
-        {"relief with self-shadows", with("relief", true, 0), "shaded"}, {"parallax", with("parallax", false, 0), "shaded"},
-        {"bump", with("bump", false, 0), "shaded"}, {"flat", with("flat", false, 0), "shaded"}};
+    std::vector<Case> cases = {{"search alone (depth view)", with("relief", false, Shading::MetallicRoughness), "depth"},
+        {"relief, metallic-roughness", with("relief", false, Shading::MetallicRoughness), "shaded"},
+        {"relief, Blinn-Phong", with("relief", false, Shading::BlinnPhong), "shaded"},
+        {"relief with self-shadows", with("relief", true, Shading::MetallicRoughness), "shaded"},
+        {"parallax", with("parallax", false, Shading::MetallicRoughness), "shaded"},
+        {"bump", with("bump", false, Shading::MetallicRoughness), "shaded"},
+        {"flat", with("flat", false, Shading::MetallicRoughness), "shaded"}};
     const auto resources = loadResources(state, {}, {});
     if (!resources)
         return 1;
     Renderer renderer;
     Framebuffer framebuffer;
     framebuffer.resize(800, 600);
-    const Target target{framebuffer.handle(), 800, 600};
+    const Target target{.framebuffer = framebuffer.handle(), .width = 800, .height = 600};
     for (int round = 0; round < 11; ++round)
         for (Case& measured : cases)
             if (const double ms = frame(renderer, measured, *resources, target); round >= 2) // two rounds warm up

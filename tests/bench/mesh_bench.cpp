@@ -3,6 +3,7 @@
 // mesh_bench [DEPTH] [MESH...]; DEPTH: share of the mesh's longest side; a tile of the texture is a quarter of that side.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/source.h"
 #include "render/measure/mesh_errors.h"
 #include <algorithm>
 #include <cstdio>
@@ -59,7 +60,7 @@ int main(int argc, char** argv)
         double(depth), kWidth, kHeight);
     std::vector<MeshRow> timed;
     for (const std::string& mesh : meshes) {
-        const auto scene = sceneOn(mesh, depth);
+        auto scene = sceneOn(mesh, depth);
         if (!scene)
             return refuse(scene.error());
         Warnings coarse;

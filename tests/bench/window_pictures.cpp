@@ -60,8 +60,8 @@ void outlines(MainWindow& window)
         state.camera.distance = 0.7f, state.camera.pitch = 12.f, state.camera.target = glm::vec3(0.f, 0.1f, 0.f);
         for (Pane& pane : state.panes)
             pane.technique = "cell-cone";
-        assign(state, *findParameter("depth"), 0.12f, Scope::Both);
-        assign(state, *findParameter("silhouettes"), 3, Scope::B);
+        assign(state, *findParameter("depth"), 0.12f, kAllPanes);
+        assign(state, *findParameter("silhouettes"), 3, Scope(1));
     });
 }
 
@@ -74,7 +74,7 @@ const Scene kScenes[] = {
     {"two-light", {1280, 800}, Look::Light,
         [](MainWindow& window) {
             twoPanes(window);
-            window.document().edit("Depth", [](State& state) { assign(state, *findParameter("depth"), 0.2f, Scope::B); });
+            window.document().edit("Depth", [](State& state) { assign(state, *findParameter("depth"), 0.2f, Scope(1)); });
         }},
     {"heat", {1280, 800}, Look::Dark, [](MainWindow& window) { window.setView("fetches"); }},
     {"heat-two", {1600, 1000}, Look::Dark,

@@ -228,8 +228,8 @@ TEST(Cli, BakeWritesEveryMapWithItsScale)
 {
     TestFolder folder("bake_all");
     ASSERT_EQ(runRelievo("bake sample:bricks@48 --map normal -o " + (folder / "a_normal.png")).exitCode, 0);
-    for (std::size_t i = 0; i < relievo::kMaps.size(); ++i) {
-        const relievo::MapRow& row = relievo::kMaps[i];
+    for (std::size_t i = 0; i < relievo::kBakedMaps.size(); ++i) {
+        const relievo::BakedMapRow& row = relievo::kBakedMaps[i];
         const std::string bits = row.form == relievo::MapForm::Codes ? "16" : std::array{"8", "16", "32"}[i % 3];
         const std::string file = folder / (std::string(row.key) + (bits == "32" ? ".exr" : ".png"));
         const ProgramRun run = runRelievo("bake sample:bricks@48 --json --normal " + (folder / "a_normal.png") + " --map "

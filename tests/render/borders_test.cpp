@@ -1,6 +1,7 @@
 // Where relief ends on meshes with borders, against the displaced mesh.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/source.h"
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/trace/displaced_mesh.h"
@@ -18,7 +19,8 @@ State onMesh(const char* mesh)
 {
     State state = openSource("sample:cobblestones@256", State())->state;
     state.mesh = mesh;
-    state.parameters.depth = 0.08f, state.parameters.shadows = false, state.parameters.heightMips = false, state.parameters.background = 2;
+    state.parameters.depth = 0.08f, state.parameters.shadows = false, state.parameters.heightMips = false,
+    state.parameters.background = Backdrop::Transparent;
     state.panes = {Pane{"cell-cone", {}}};
     return state;
 }
@@ -28,8 +30,9 @@ struct Outline {
     int beyond = 0, missing = 0;
 };
 
-Outline outline(Renderer& renderer, const State& state, const Resources& resources, const SeenDistances& exact)
+Outline outline(Renderer& renderer, const State& state, Resources resources, const ExactDistances& traced)
 {
+    const PixelDistances& exact = traced.pixels;
     const int width = exact.width;
     const Image image = *drawPicture(renderer, state, 0, resources, "position", width, exact.height, 1, true);
     Outline result;
@@ -50,7 +53,7 @@ Sums overViews(const char* mesh)
     constexpr int kWidth = 240, kHeight = 180;
     constexpr float kViews[][2] = {{30.f, 35.f}, {120.f, 10.f}, {210.f, 20.f}, {300.f, 3.f}, {0.f, 60.f}};
     State state = onMesh(mesh);
-    const auto resources = *loadResources(state, {}, {});
+    auto resources = *loadResources(state, {}, {});
     Renderer renderer;
     Sums sums;
     Warnings warnings;
@@ -60,10 +63,10 @@ Sums overViews(const char* mesh)
         EXPECT_TRUE(exact) << mesh;
         if (!exact)
             break;
-        for (const int silhouettes : {0, 2}) {
+        for (const Silhouettes silhouettes : {Silhouettes::Off, Silhouettes::Quadric}) {
             state.parameters.silhouettes = silhouettes;
-            const Outline found = outline(renderer, state, resources, *exact);
-            Outline& sum = silhouettes == 0 ? sums.flat : sums.cut;
+            const Outline found = outline(renderer, state, resources, **exact);
+            Outline& sum = silhouettes == Silhouettes::Off ? sums.flat : sums.cut;
             sum.beyond += found.beyond, sum.missing += found.missing;
         }
     }
@@ -97,7 +100,7 @@ TEST(Prisms, FollowTheMesh)
     for (const char* mesh : {"torus", "box", "teapot", "character"}) {
         State state = onMesh(mesh);
         state.parameters.time = 0.4f, state.parameters.depth = 0.04f;
-        const auto resources = *loadResources(state, {}, {});
+        auto resources = *loadResources(state, {}, {});
         const glm::vec3 size = resources.mesh->boundsMax - resources.mesh->boundsMin;
         state.parameters.tiling = 4.f * resources.mesh->metresPerUV / std::max({size.x, size.y, size.z});
         MeshRow none{}, quadric{}, prisms{};
@@ -106,7 +109,8 @@ TEST(Prisms, FollowTheMesh)
             state.camera.yaw = yaw;
             const auto exact = exactDistances(state, 0, resources, 400, 300, warnings);
             ASSERT_TRUE(exact) << mesh;
-            for (const auto& [kind, sum] : {std::pair{0, &none}, {2, &quadric}, {3, &prisms}}) {
+            for (const auto& [kind, sum] :
+                {std::pair{Silhouettes::Off, &none}, {Silhouettes::Quadric, &quadric}, {Silhouettes::Prisms, &prisms}}) {
                 state.parameters.silhouettes = kind;
                 const auto errors = meshErrors(renderer, state, resources, *exact);
                 ASSERT_TRUE(errors) << mesh;
@@ -131,7 +135,7 @@ TEST(Prisms, ShadowsAreThoseOfTheDisplacedMesh)
         State state = onMesh(mesh);
         Parameters& p = state.parameters;
         p.shadows = true, p.depth = 0.04f, p.lightPitch = 20.f;
-        const auto resources = *loadResources(state, {}, {});
+        auto resources = *loadResources(state, {}, {});
         p.tiling = 4.f * resources.mesh->metresPerUV;
         const CameraView camera = cameraView(state.camera, resources.mesh->boundsMin, resources.mesh->boundsMax, float(kWidth) / kHeight);
         const glm::vec3 toLight = sceneUniforms(p, camera, resources.mesh->metresPerUV).lightDirection;
@@ -149,8 +153,9 @@ TEST(Prisms, ShadowsAreThoseOfTheDisplacedMesh)
                     return true;
             return isHidden(point, 0.15f) != truth;
         };
-        double wrong[4] = {}, sure = 0., hidden = 0.;
-        for (const int kind : {2, 3}) {
+        PerChoice<Silhouettes, double> wrong;
+        double sure = 0., hidden = 0.;
+        for (const Silhouettes kind : {Silhouettes::Quadric, Silhouettes::Prisms}) {
             p.silhouettes = kind;
             const auto draw = [&](const char* view) { return *drawPicture(renderer, state, 0, resources, view, kWidth, kHeight, 1, true); };
             const Image position = draw("position"), shadow = draw("shadow");
@@ -165,12 +170,12 @@ TEST(Prisms, ShadowsAreThoseOfTheDisplacedMesh)
                 if (off > 0.02f * depth || isEdge(point, truth))
                     continue; // on the reference's own triangles, or at the edge of a shadow
                 wrong[kind] += truth != (shadow.value(x, y, 0) < 0.5f);
-                sure += kind == 3, hidden += kind == 3 && truth;
+                sure += kind == Silhouettes::Prisms, hidden += kind == Silhouettes::Prisms && truth;
             }
         }
         EXPECT_GT(hidden, 0.1 * sure) << mesh;
-        EXPECT_LT(wrong[3], 0.01 * sure) << mesh;
-        EXPECT_LE(wrong[3], wrong[2]) << mesh;
+        EXPECT_LT(wrong[Silhouettes::Prisms], 0.01 * sure) << mesh;
+        EXPECT_LE(wrong[Silhouettes::Prisms], wrong[Silhouettes::Quadric]) << mesh;
     }
 }
 
@@ -180,7 +185,7 @@ TEST(Prisms, EndAtPlainParts)
     const auto context = WindowlessContext::create();
     ASSERT_TRUE(context);
     State state = onMesh("plane");
-    state.parameters.silhouettes = 3;
+    state.parameters.silhouettes = Silhouettes::Prisms;
     state.camera.pitch = 10.f;
     auto resources = *loadResources(state, {}, {});
     Mesh halves = *resources.mesh;
@@ -206,7 +211,7 @@ TEST(Borders, AHoleAtTheBackDoesNotFillTheOutline)
     ASSERT_TRUE(context);
     State state = onMesh("sphere");
     state.camera.yaw = 0.f, state.camera.pitch = 20.f;
-    state.parameters.silhouettes = 2;
+    state.parameters.silhouettes = Silhouettes::Quadric;
     auto resources = *loadResources(state, {}, {});
     const auto covered = [&] {
         Renderer renderer;
@@ -221,7 +226,7 @@ TEST(Borders, AHoleAtTheBackDoesNotFillTheOutline)
     open.indices.resize(open.indices.size() - 3); // at the south pole
     resources.mesh = std::make_shared<const Mesh>(open);
     EXPECT_EQ(covered(), whole);
-    state.parameters.silhouettes = 0;
+    state.parameters.silhouettes = Silhouettes::Off;
     EXPECT_GT(covered(), whole);
 }
 

@@ -28,7 +28,7 @@ Resources withHeight(Resources resources, float height)
     Material material = *resources.material;
     material.height = HeightField(16, 16, std::vector<float>(256, height));
     resources.material = std::make_shared<const Material>(std::move(material));
-    resources.bounds.clear();
+    resources.accelerationMaps = {};
     return resources;
 }
 
@@ -65,7 +65,7 @@ TEST(Faces, BacksStayHiddenByTheDepthOfTheRelief)
     for (const char* mesh : kConvex) {
         State state = stateOn(mesh);
         state.parameters.depth = 0.3f, state.parameters.heightMips = false;
-        const Resources resources = resourcesOf(state);
+        Resources resources = resourcesOf(state);
         const Image without = picture(renderer, state, resources, "position");
         state.parameters.depthOfHit = true;
         EXPECT_LT(differing(picture(renderer, state, resources, "position"), without, 1e-4f), 0.001) << mesh;
@@ -108,7 +108,7 @@ TEST(Faces, BacksDoNotShadeTheReliefInFrontOfThem)
         Parameters& p = state.parameters;
         p.depth = 0.4f, p.heightMips = false, p.shadows = false, p.objectShadows = true;
         state.camera.yaw = p.lightYaw, state.camera.pitch = p.lightPitch;
-        const Resources resources = resourcesOf(state);
+        Resources resources = resourcesOf(state);
         Mesh lit = *resources.mesh;
         std::vector<std::uint32_t> facing;
         for (std::size_t i = 0; i < lit.indices.size(); i += 3) {
@@ -130,12 +130,12 @@ TEST(Faces, AClosedMeshIsSeenFromInside)
     const auto context = WindowlessContext::create();
     ASSERT_TRUE(context);
     Renderer renderer;
-    for (const int silhouettes : {0, 1, 2, 3}) {
+    for (const Silhouettes silhouettes : {Silhouettes::Off, Silhouettes::Axes, Silhouettes::Quadric, Silhouettes::Prisms}) {
         State state = stateOn("sphere");
         state.parameters.silhouettes = silhouettes;
-        state.parameters.depthOfHit = silhouettes == 0;
+        state.parameters.depthOfHit = silhouettes == Silhouettes::Off;
         state.camera.distance = 0.1f, state.camera.target = glm::vec3(0.f);
-        EXPECT_GT(covered(picture(renderer, state, resourcesOf(state), "position")), 0.95) << silhouettes;
+        EXPECT_GT(covered(picture(renderer, state, resourcesOf(state), "position")), 0.95) << wordOf(silhouettes);
     }
 }
 
@@ -146,7 +146,7 @@ TEST(Faces, PrismsOfAFineMeshCutNothingAway)
     ASSERT_TRUE(context);
     State state = stateOn("plane");
     Parameters& p = state.parameters;
-    p.silhouettes = 3, p.depth = 0.1f, p.heightMips = false;
+    p.silhouettes = Silhouettes::Prisms, p.depth = 0.1f, p.heightMips = false;
     state.camera = {0.f, 12.f, 35.f, 1.2f, glm::vec3(0.f)};
     const Resources flat = withHeight(resourcesOf(state), 0.f);
     const auto drawn = [&](std::uint32_t cells) {
@@ -195,7 +195,7 @@ TEST(Faces, FadingIsNotOfTheLight)
     Parameters& p = state.parameters;
     p.depth = 0.2f, p.shadows = false, p.lightPitch = 20.f;
     state.camera.pitch = 80.f;
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const auto dark = [&](float edgeFade) {
         p.edgeFade = edgeFade;
         p.objectShadows = false;

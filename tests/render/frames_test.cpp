@@ -16,11 +16,11 @@ TEST(Frames, DerivativesAgreeWithVerticesAndTheThesisDoesNot)
     State state = stateOn("plane");
     state.parameters.depth = 0.2f;
     state.camera.yaw = 55.f, state.camera.pitch = 30.f;
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const Image vertex = picture(renderer, state, resources, "color");
-    state.parameters.frames = 1;
+    state.parameters.frames = Frames::Derivatives;
     const Image derivatives = picture(renderer, state, resources, "color");
-    state.parameters.frames = 2;
+    state.parameters.frames = Frames::Thesis;
     const Image thesis = picture(renderer, state, resources, "color");
     const double off = differing(derivatives, vertex, 0.05f), slid = differing(thesis, vertex, 0.05f);
     EXPECT_LT(off, 0.02);
@@ -33,8 +33,8 @@ TEST(Frames, EdgeFadeFlattensWhatIsSeenEdgeOn)
     ASSERT_TRUE(context);
     Renderer renderer;
     State state = stateOn("sphere");
-    state.parameters.frames = 1, state.parameters.depth = 0.15f;
-    const Resources resources = resourcesOf(state);
+    state.parameters.frames = Frames::Derivatives, state.parameters.depth = 0.15f;
+    Resources resources = resourcesOf(state);
     // The largest shift of what is seen, towards the outline and in the middle of the sphere.
     const auto shifts = [&](bool outline) {
         State flat = state;
@@ -70,15 +70,15 @@ TEST(Invalid, NoPixelIsNoNumber)
         if (std::filesystem::exists(kMeshes / file))
             meshes.push_back((kMeshes / file).string());
     for (const std::string& mesh : meshes)
-        for (const int frames : {0, 1, 2}) {
+        for (const Frames frames : {Frames::Vertex, Frames::Derivatives, Frames::Thesis}) {
             State state = stateOn(mesh);
             Parameters& p = state.parameters;
-            p.frames = frames, p.silhouettes = frames == 0 ? 3 : 2, p.depthOfHit = p.objectShadows = p.shadows = true,
-            p.edgeFade = frames == 1 ? 0.3f : 0.f;
-            const Resources resources = resourcesOf(state);
+            p.frames = frames, p.silhouettes = frames == Frames::Vertex ? Silhouettes::Prisms : Silhouettes::Quadric, p.depthOfHit = p.objectShadows = p.shadows = true,
+            p.edgeFade = frames == Frames::Derivatives ? 0.3f : 0.f;
+            Resources resources = resourcesOf(state);
             const Image invalid = picture(renderer, state, resources, "invalid", 96, 72);
             for (int y = 0; y < invalid.height; ++y)
                 for (int x = 0; x < invalid.width; ++x)
-                    ASSERT_EQ(invalid.value(x, y, 0), 0.f) << mesh << " frames " << frames;
+                    ASSERT_EQ(invalid.value(x, y, 0), 0.f) << mesh << " frames " << wordOf(frames);
         }
 }

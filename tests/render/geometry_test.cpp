@@ -2,6 +2,7 @@
 // its ray, in metres, first goes under the height field; and its shadow is what stands between there and the light.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/source.h"
 #include "core/state/camera_view.h"
 #include "core/state/techniques.h"
 #include "core/trace/reference.h"
@@ -61,7 +62,7 @@ Shares compare(const State& state, int width, int height)
 {
     auto resources = *loadResources(state, {}, {});
     const Parameters& p = state.parameters;
-    const World world{resources.material->height->withWrap(p.wrap == 1 ? Wrap::Clamp : Wrap::Repeat), p};
+    const World world{resources.material->height->withWrap(p.wrap), p};
     Renderer renderer;
     const Image depth = *drawPicture(renderer, state, 0, resources, "depth", width, height, 1, true);
     const Image shadow = *drawPicture(renderer, state, 0, resources, "shadow", width, height, 1, true);
@@ -144,7 +145,7 @@ TEST(Geometry, LowSunAndGrazingView)
 TEST(Geometry, ClampedBorders)
 {
     State state = plainState();
-    state.parameters.wrap = 1;
+    state.parameters.wrap = Wrap::Clamp;
     expectRight("clamped", state);
 }
 
@@ -163,7 +164,7 @@ TEST(Geometry, ExactShadowsMeetWhatCastsThem)
             p.depth = 0.1f, p.heightMips = false, p.lightPitch = 35.f, p.lightYaw = 70.f, p.shadows = true;
             state.panes = {Pane{std::string(row.key), {}}};
             state.camera.pitch = 60.f, state.camera.distance = 0.2f, state.camera.target = glm::vec3(0.05f, 0.f, 0.08f);
-            const auto resources = *loadResources(state, {}, {});
+            auto resources = *loadResources(state, {}, {});
             Renderer renderer;
             const Image shadow = *drawPicture(renderer, state, 0, resources, "shadow", kWidth, kHeight, 1, true);
             const HeightField& field = *resources.material->height;
@@ -209,7 +210,7 @@ TEST(Geometry, EnvironmentHasNoSeams)
     state.slots[std::size_t(MapKind::Color)] = {};
     state.slots[std::size_t(MapKind::Roughness)] = {};
     state.parameters.lightIntensity = 0.f;
-    const auto resources = *loadResources(state, {}, {});
+    auto resources = *loadResources(state, {}, {});
     Renderer renderer;
     const Image image = *drawPicture(renderer, state, 0, resources, "shaded", 200, 200, 1, true);
     float step = 0.f;
@@ -229,7 +230,7 @@ TEST(Geometry, PushedBoxStaysClosed)
     State state = plainState();
     state.mesh = "box";
     state.parameters.midlevel = 0.f;
-    const auto resources = *loadResources(state, {}, {});
+    auto resources = *loadResources(state, {}, {});
     Renderer renderer;
     const Image image = *drawPicture(renderer, state, 0, resources, "depth", 160, 120, 1, true);
     for (int y = 0; y < 120; ++y) { // along each row the box is one run of covered pixels

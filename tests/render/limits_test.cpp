@@ -18,18 +18,18 @@ TEST(Limits, APictureThatDoesNotFitIsToldAndASmallerOneDrawn)
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
     Framebuffer framebuffer;
     const State state = stateOn("plane", "flat");
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     Renderer renderer;
     for (int i = 0; i < 2; ++i) { // again when asked again
         const auto made = framebuffer.resize(limit + 1, 16);
         ASSERT_FALSE(made);
         EXPECT_NE(message(made.error()).find(std::to_string(limit + 1) + "x16"), std::string::npos) << message(made.error());
     }
-    const auto drawn = renderer.draw(state, 0, resources, "color", {framebuffer.handle(), limit + 1, 16});
+    const auto drawn = renderer.draw({state, 0, resources, {.framebuffer = framebuffer.handle(), .width = limit + 1, .height = 16}, "color"});
     ASSERT_FALSE(drawn);
     EXPECT_FALSE(drawn.error().hint.empty());
     EXPECT_TRUE(framebuffer.resize(32, 16));
-    EXPECT_TRUE(renderer.draw(state, 0, resources, "color", {framebuffer.handle(), 32, 16}));
+    EXPECT_TRUE(renderer.draw({state, 0, resources, {.framebuffer = framebuffer.handle(), .width = 32, .height = 16}, "color"}));
 }
 
 TEST(Limits, MemoryThatRunsOutIsToldOnce)
@@ -42,7 +42,7 @@ TEST(Limits, MemoryThatRunsOutIsToldOnce)
     left = 1;
     epoxy_glGetError = []() -> GLenum { return left-- > 0 ? GL_OUT_OF_MEMORY : GL_NO_ERROR; };
     const State state = stateOn("plane", "flat");
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     Renderer renderer;
     const auto drawn = drawPicture(renderer, state, 0, resources, "color", 32, 16, 1, false);
     EXPECT_FALSE(drawn);
@@ -115,7 +115,7 @@ TEST(Limits, WiresAreNoError)
     {
         State state = stateOn("plane", "flat");
         state.parameters.wireframe = true;
-        const Resources resources = resourcesOf(state);
+        Resources resources = resourcesOf(state);
         Renderer renderer;
         Framebuffer framebuffer;
         ASSERT_TRUE(framebuffer.resize(32, 32));
@@ -127,7 +127,7 @@ TEST(Limits, WiresAreNoError)
             real(width);
             error = glGetError();
         };
-        EXPECT_TRUE(renderer.draw(state, 0, resources, "color", {framebuffer.handle(), 32, 32, false, 2.f}));
+        EXPECT_TRUE(renderer.draw({state, 0, resources, {.framebuffer = framebuffer.handle(), .width = 32, .height = 32, .lineWidth = 2.f}, "color"}));
         epoxy_glLineWidth = real;
         EXPECT_EQ(error, GLenum(GL_NO_ERROR));
     }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/settings.h"
+#include "core/scene/source.h"
 #include "render/measure/frame_time.h"
 #include "render/measure/picture_errors.h"
 #include <cmath>
@@ -103,7 +104,7 @@ TEST(PictureErrors, OfMeshesAreThoseOfTheSearch)
     Bench bench("sample:bricks@64");
     bench.state.mesh = "sphere";
     bench.resources = *loadResources(bench.state, {}, bench.resources);
-    const auto errorsOf = [&](const char* technique, int silhouettes, float depth) {
+    const auto errorsOf = [&](const char* technique, Silhouettes silhouettes, float depth) {
         State state = bench.state;
         state.panes = {Pane{technique, {}}};
         state.parameters.silhouettes = silhouettes;
@@ -111,16 +112,16 @@ TEST(PictureErrors, OfMeshesAreThoseOfTheSearch)
         state.parameters.minSteps = state.parameters.maxSteps = 4;
         return *pictureErrors(bench.renderer, state, bench.resources, 120, 90);
     };
-    for (const int silhouettes : {0, 1, 2, 3}) {
+    for (const Silhouettes silhouettes : {Silhouettes::Off, Silhouettes::Axes, Silhouettes::Quadric, Silhouettes::Prisms}) {
         const PictureErrors exact = errorsOf("cell-cone", silhouettes, 0.08f), coarse = errorsOf("relief", silhouettes, 0.08f);
-        EXPECT_LT(exact.largest, 1e-4) << silhouettes;
-        EXPECT_EQ(exact.missed, 0.) << silhouettes;
-        EXPECT_GT(coarse.rmse, 0.01) << silhouettes;
-        EXPECT_GT(coarse.missed, 0.005) << silhouettes;
-        EXPECT_LT(coarse.missed, 0.5) << silhouettes;
+        EXPECT_LT(exact.largest, 1e-4) << wordOf(silhouettes);
+        EXPECT_EQ(exact.missed, 0.) << wordOf(silhouettes);
+        EXPECT_GT(coarse.rmse, 0.01) << wordOf(silhouettes);
+        EXPECT_GT(coarse.missed, 0.005) << wordOf(silhouettes);
+        EXPECT_LT(coarse.missed, 0.5) << wordOf(silhouettes);
     }
-    EXPECT_EQ(errorsOf("relief", 0, 0.f).largest, 0.);
-    EXPECT_EQ(errorsOf("cell-cone", 0, 0.f).largest, 0.);
+    EXPECT_EQ(errorsOf("relief", Silhouettes::Off, 0.f).largest, 0.);
+    EXPECT_EQ(errorsOf("cell-cone", Silhouettes::Off, 0.f).largest, 0.);
 }
 
 // A fine map seen at a grazing angle: the exact answer lies thousands of cells away.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/scene/source.h"
 #include "render/windowless.h"
 #include <algorithm>
 #include <cmath>
@@ -22,16 +23,15 @@ inline State stateOn(const std::string& mesh, const char* technique = "cell-cone
 
 inline Resources resourcesOf(const State& state)
 {
-    const auto resources = loadResources(state, {}, {});
+    auto resources = loadResources(state, {}, {});
     EXPECT_TRUE(resources) << (resources ? "" : message(resources.error()));
     return resources.value_or(Resources());
 }
 
-inline Image picture(
-    Renderer& renderer, const State& state, const Resources& resources, std::string_view view, int width = 160, int height = 120)
+inline Image picture(Renderer& renderer, const State& state, Resources resources, std::string_view view, int width = 160, int height = 120)
 {
     State plain = state;
-    plain.parameters.background = 2;
+    plain.parameters.background = Backdrop::Transparent;
     const auto image = drawPicture(renderer, plain, 0, resources, view, width, height, 1, true);
     EXPECT_TRUE(image) << (image ? "" : message(image.error()));
     return image.value_or(Image());

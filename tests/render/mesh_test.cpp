@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // The mesh as the CPU poses it, which no longer moves.
-Resources posedResources(const State& state, const Resources& resources)
+Resources posedResources(const State& state, Resources resources)
 {
     Resources still = resources;
     Mesh mesh = posed(*resources.mesh, poseOf(*resources.mesh, state.parameters));
@@ -68,7 +68,7 @@ TEST(Deforming, TheGpuPosesAsTheCpuDoes)
             meshes.push_back((kMeshes / "animated" / file).string());
     for (const std::string& mesh : meshes) {
         State state = stateOn(mesh, "flat");
-        const Resources resources = resourcesOf(state);
+        Resources resources = resourcesOf(state);
         ASSERT_TRUE(resources.mesh && resources.mesh->deformation) << mesh;
         Image first;
         for (const float share : {0.f, 0.37f, 0.8f}) {
@@ -100,11 +100,11 @@ TEST(Interpenetration, ReliefMeetsPlainSpheresWhereTheyDo)
     State state = stateOn("spheres");
     state.parameters.depth = 0.15f;
     state.camera.pitch = 50.f;
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     Warnings warnings;
     const auto exact = exactDistances(state, 0, resources, 320, 240, warnings);
     ASSERT_TRUE(exact);
-    state.parameters.silhouettes = 2;
+    state.parameters.silhouettes = Silhouettes::Quadric;
     const auto without = meshErrors(renderer, state, resources, *exact);
     state.parameters.depthOfHit = true;
     const auto with = meshErrors(renderer, state, resources, *exact);
@@ -120,9 +120,12 @@ TEST(ErrorView, MeasuresAgainstTheDisplacedMesh)
     Renderer renderer;
     State state = stateOn("torus");
     Resources resources = resourcesOf(state);
-    const auto mean = [&](int silhouettes) {
+    std::shared_ptr<const ExactDistances> exact;
+    const auto mean = [&](Silhouettes silhouettes) {
         state.parameters.silhouettes = silhouettes;
-        const Image image = picture(renderer, state, resources, "error", 320, 240);
+        State plain = state;
+        plain.parameters.background = Backdrop::Transparent;
+        const Image image = *drawPicture(renderer, plain, 0, resources, "error", 320, 240, 1, true, exact);
         double sum = 0., pixels = 0.;
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x)
@@ -131,19 +134,17 @@ TEST(ErrorView, MeasuresAgainstTheDisplacedMesh)
         EXPECT_GT(pixels, 5000.);
         return sum / std::max(pixels, 1.);
     };
-    EXPECT_LT(mean(0), 0.001); // cell-cone's search alone
+    EXPECT_LT(mean(Silhouettes::Off), 0.001); // cell-cone's search alone
     Warnings coarse;
-    const auto seen = exactDistances(state, 0, resources, 320, 240, coarse);
-    ASSERT_TRUE(seen);
-    resources.seen = std::make_shared<const SeenDistances>(*seen);
-    const double none = mean(0), quadric = mean(2), prisms = mean(3);
+    const auto traced = exactDistances(state, 0, resources, 320, 240, coarse);
+    ASSERT_TRUE(traced);
+    exact = *traced;
+    const double none = mean(Silhouettes::Off), quadric = mean(Silhouettes::Quadric), prisms = mean(Silhouettes::Prisms);
     EXPECT_GT(none, 0.05);
     EXPECT_LT(quadric, 0.6 * none);
     EXPECT_LT(prisms, 0.02);
-    auto other = *seen;
-    other.width = 240, other.height = 320; // of another picture: not used
-    resources.seen = std::make_shared<const SeenDistances>(other);
-    EXPECT_LT(mean(0), 0.001);
+    state.camera.yaw += 1.f; // the answer is another picture's: not used
+    EXPECT_LT(mean(Silhouettes::Off), 0.001);
 }
 
 TEST(ObjectShadows, SpheresShadeThePlane)
@@ -154,7 +155,7 @@ TEST(ObjectShadows, SpheresShadeThePlane)
     State state = stateOn("spheres");
     state.parameters.shadows = false;
     state.parameters.lightPitch = 30.f;
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const auto dark = [&] {
         const Image image = picture(renderer, state, resources, "shadow");
         double count = 0.;
@@ -179,7 +180,7 @@ TEST(ObjectShadows, NoAcneOnAReliefAlone)
     for (const char* mesh : {"plane", "sphere"}) {
         State state = stateOn(mesh);
         state.parameters.shadows = true;
-        const Resources resources = resourcesOf(state);
+        Resources resources = resourcesOf(state);
         const Image alone = picture(renderer, state, resources, "shadow");
         state.parameters.objectShadows = true;
         // On the sphere what the search cannot see lies in shadow by the map: the far side of the terminator's stones.
@@ -195,7 +196,7 @@ TEST(ObjectShadows, FollowWhatMovesAndTheLight)
     Renderer renderer;
     State state = stateOn("character");
     state.parameters.objectShadows = true;
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const auto fresh = [&] {
         Renderer other;
         return picture(other, state, resources, "shadow");
@@ -215,7 +216,7 @@ TEST(Parts, OnlyTheChosenOneShowsRelief)
     ASSERT_TRUE(context);
     Renderer renderer;
     State state = stateOn("plane");
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const Image all = picture(renderer, state, resources, "depth");
     const auto deepest = [](const Image& image) {
         float depth = 0.f;
@@ -254,7 +255,7 @@ TEST(Parts, AMeshFileWithTexturesIsASource)
     const auto opened = openSource((folder / "m.obj").string(), State());
     ASSERT_TRUE(opened) << message(opened.error());
     EXPECT_EQ(opened->state.panes.front().technique, "bump");
-    const auto resources = loadResources(opened->state, opened->images, {});
+    auto resources = loadResources(opened->state, opened->images, {});
     ASSERT_TRUE(resources);
     State state = opened->state;
     state.camera.yaw = state.camera.pitch = 0.f;
@@ -287,32 +288,32 @@ TEST(FineMeshes, LookAsCoarseOnes)
 }
 
 // While the eye moves a mesh of more triangles than pixels is drawn with fewer: almost the same picture.
-TEST(FineMeshes, HastyPicturesAreAlmostTheSame)
+TEST(FineMeshes, PassingPicturesAreAlmostTheSame)
 {
     const auto context = WindowlessContext::create();
     ASSERT_TRUE(context);
     constexpr int kWidth = 80, kHeight = 60;
     State state = stateOn("sphere", "flat");
-    state.parameters.background = 2;
+    state.parameters.background = Backdrop::Transparent;
     Resources resources = resourcesOf(state);
     resources.mesh = std::make_shared<const Mesh>(finer(*resources.mesh, 200000));
     Renderer renderer;
-    const auto drawn = [&](bool hasty) {
+    const auto drawn = [&](bool passing) {
         Framebuffer framebuffer;
         framebuffer.resize(kWidth, kHeight, true);
-        const auto done
-            = renderer.draw(state, 0, resources, "position", {framebuffer.handle(), kWidth, kHeight, true, 1.f, glm::vec2(0.f), hasty});
+        const auto done = renderer.draw({state, 0, resources,
+            {.framebuffer = framebuffer.handle(), .width = kWidth, .height = kHeight, .linear = true, .isPassing = passing}, "position"});
         EXPECT_TRUE(done);
         std::vector<glm::vec4> pixels(kWidth * kHeight);
         glReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_FLOAT, pixels.data());
         return pixels;
     };
-    const std::vector<glm::vec4> whole = drawn(false), hasty = drawn(true);
-    EXPECT_FALSE(whole == hasty);
+    const std::vector<glm::vec4> whole = drawn(false), passing = drawn(true);
+    EXPECT_FALSE(whole == passing);
     int off = 0, covered = 0;
     for (std::size_t i = 0; i < whole.size(); ++i) {
         covered += whole[i].w > 0.5f;
-        off += (whole[i].w > 0.5f) != (hasty[i].w > 0.5f) || (whole[i].w > 0.5f && glm::distance(whole[i], hasty[i]) > 0.02f);
+        off += (whole[i].w > 0.5f) != (passing[i].w > 0.5f) || (whole[i].w > 0.5f && glm::distance(whole[i], passing[i]) > 0.02f);
     }
     EXPECT_GT(covered, 500);
     EXPECT_LT(off, covered / 25);

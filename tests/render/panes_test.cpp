@@ -41,13 +41,13 @@ private:
 // Draws panes of a State and says how many triangles that took.
 class Drawing {
 public:
-    unsigned operator()(const State& state, std::size_t pane, const Resources& resources)
+    unsigned operator()(const State& state, std::size_t pane, Resources resources)
     {
         EXPECT_TRUE(m_framebuffer.resize(96, 72));
         GLuint query = 0, count = 0;
         glGenQueries(1, &query);
         glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-        const auto drawn = m_renderer.draw(state, pane, resources, "shaded", {m_framebuffer.handle(), 96, 72});
+        const auto drawn = m_renderer.draw({state, pane, resources, {.framebuffer = m_framebuffer.handle(), .width = 96, .height = 72}, "shaded"});
         EXPECT_TRUE(drawn) << (drawn ? "" : message(drawn.error()));
         glEndQuery(GL_PRIMITIVES_GENERATED);
         glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
@@ -95,7 +95,7 @@ TEST(Panes, UploadNothingForEachOther)
             state.parameters.objectShadows = true;
             state.panes = {Pane{"cell-cone", {{difference.key, difference.a}}}, Pane{"cell-cone", {{difference.key, difference.b}}}};
             state.slots[std::size_t(MapKind::Normal)] = {};
-            const Resources resources = moves ? morphing(resourcesOf(state)) : resourcesOf(state);
+            Resources resources = moves ? morphing(resourcesOf(state)) : resourcesOf(state);
             Drawing draw;
             for (const std::size_t pane : {0u, 1u})
                 draw(state, pane, resources);
@@ -114,7 +114,7 @@ TEST(Panes, KeepTheirShadowMaps)
     ASSERT_TRUE(context);
     State state = stateOn("torus");
     state.panes = {Pane{"cell-cone", {}}, Pane{"pyramid", {}}};
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     Drawing draw;
     const unsigned alone = draw(state, 0, resources);
     Parameters& p = state.parameters;
@@ -127,7 +127,7 @@ TEST(Panes, KeepTheirShadowMaps)
     EXPECT_EQ(draw(state, 0, resources), alone);
     for (const auto& change : std::initializer_list<void (*)(Parameters&)>{[](Parameters& q) { q.lightYaw += 10.f; },
              [](Parameters& q) { q.lightPitch += 10.f; }, [](Parameters& q) { q.depth *= 2.f; }, [](Parameters& q) { q.offsetU = 0.3f; },
-             [](Parameters& q) { q.shadowMapSize = 512; }, [](Parameters& q) { q.silhouettes = 2; }}) {
+             [](Parameters& q) { q.shadowMapSize = 512; }, [](Parameters& q) { q.silhouettes = Silhouettes::Quadric; }}) {
         change(p);
         EXPECT_GT(draw(state, 0, resources), alone);
     }
@@ -141,11 +141,11 @@ TEST(Panes, TheErrorViewOfAPoseBendsByIt)
     State state = stateOn("sphere", "relief");
     Parameters& p = state.parameters;
     p.minSteps = p.maxSteps = 4, p.refineSteps = 0;
-    const Resources resources = morphing(resourcesOf(state));
-    const auto errors = [&](int silhouettes) {
+    Resources resources = morphing(resourcesOf(state));
+    const auto errors = [&](Silhouettes silhouettes) {
         p.silhouettes = silhouettes;
         Renderer renderer;
         return picture(renderer, state, resources, "error");
     };
-    EXPECT_EQ(errors(3).data, errors(2).data);
+    EXPECT_EQ(errors(Silhouettes::Prisms).data, errors(Silhouettes::Quadric).data);
 }

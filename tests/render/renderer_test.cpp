@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ground/file.h"
+#include "core/scene/source.h"
 #include "core/shader_text/shader_files.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
@@ -42,8 +43,8 @@ Resources resourcesOf(const State& state)
     return *resources;
 }
 
-Image picture(Renderer& renderer, const State& state, const Resources& resources, const char* view, bool linear = false, int width = 96,
-    int height = 64)
+Image picture(
+    Renderer& renderer, const State& state, Resources resources, const char* view, bool linear = false, int width = 96, int height = 64)
 {
     auto image = drawPicture(renderer, state, 0, resources, view, width, height, 1, linear);
     EXPECT_TRUE(image) << message(image.error());
@@ -78,7 +79,7 @@ TEST(Renderer, EveryTechniqueAndViewDrawsFiniteValues)
             if (technique.file.empty())
                 continue;
             const State state = sampleState(std::string(technique.key).c_str(), mesh);
-            const Resources resources = resourcesOf(state);
+            Resources resources = resourcesOf(state);
             for (const ViewRow& view : kViews) {
                 const Image image = picture(renderer, state, resources, std::string(view.key).c_str(), true, 48, 32);
                 for (int y = 0; y < image.height; ++y)
@@ -94,7 +95,7 @@ TEST(Renderer, TechniquesShowDifferentPictures)
     context();
     Renderer renderer;
     const State relief = sampleState("relief");
-    const Resources resources = resourcesOf(relief);
+    Resources resources = resourcesOf(relief);
     const Image withRelief = picture(renderer, relief, resources, "shaded");
     for (const char* other : {"flat", "bump", "parallax"})
         EXPECT_GT(meanDifference(withRelief, picture(renderer, sampleState(other), resources, "shaded")), 0.003) << other;
@@ -110,7 +111,7 @@ TEST(Renderer, DepthStraightDownIsTheHeightMap)
     state.camera.fov = 0.18f;
     state.parameters.heightMips = false;
     state.parameters.minSteps = 256, state.parameters.maxSteps = 256, state.parameters.refineSteps = 12;
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const int size = 64;
     const Image depth = picture(renderer, state, resources, "depth", true, size, size);
     const HeightField& field = *resources.material->height;
@@ -137,7 +138,7 @@ TEST(Renderer, ErrorIsSmallForManyStepsAndLargerForFew)
     Renderer renderer;
     State state = sampleState("relief");
     state.camera.pitch = 15.f;
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const auto meanError = [&](int steps) {
         state.parameters.minSteps = state.parameters.maxSteps = steps;
         const Image error = picture(renderer, state, resources, "error", true);
@@ -161,7 +162,7 @@ TEST(Renderer, SelfShadowsDarkenAndCanBeTurnedOff)
     State state = sampleState("relief");
     state.parameters.lightPitch = 12.f;
     state.parameters.depth = 0.1f;
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const auto shadowed = [&] {
         const Image shadow = picture(renderer, state, resources, "shadow", true);
         int dark = 0;
@@ -180,7 +181,7 @@ TEST(Renderer, FetchesFollowTheTechnique)
     context();
     Renderer renderer;
     State state = sampleState("flat");
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     EXPECT_EQ(renderer.measure(state, 0, resources, 1.5f)->meanFetches, 0.);
     state.panes[0].technique = "parallax";
     EXPECT_EQ(renderer.measure(state, 0, resources, 1.5f)->meanFetches, 1.);
@@ -196,7 +197,7 @@ TEST(Renderer, UploadsOnlyWhatTheProgramReads)
     context();
     Renderer renderer;
     State state = sampleState("flat");
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     picture(renderer, state, resources, "color");
     EXPECT_EQ(renderer.textureCount(), 1); // the color map
     picture(renderer, state, resources, "shaded");
@@ -211,7 +212,7 @@ TEST(Renderer, TilingMovesTheTexture)
     context();
     Renderer renderer;
     State state = fromAbove(sampleState("flat"));
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const Image before = picture(renderer, state, resources, "color");
     state.parameters.offsetU = 1.f; // a whole tile
     EXPECT_LT(meanDifference(before, picture(renderer, state, resources, "color")), 1e-3);
@@ -228,7 +229,7 @@ TEST(Renderer, MissingHeightMapIsToldFlatStillDraws)
     Renderer renderer;
     State state = sampleState("relief");
     state.slots[std::size_t(MapKind::Height)] = {};
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const auto drawn = drawPicture(renderer, state, 0, resources, "shaded", 32, 32, 1, false);
     ASSERT_FALSE(drawn);
     EXPECT_NE(drawn.error().what.find("height map"), std::string::npos);
@@ -243,7 +244,7 @@ TEST(Renderer, SamplesSmoothTheOutline)
     context();
     Renderer renderer;
     const State state = sampleState("flat", "sphere");
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const auto levels = [&](int samples) {
         const Image image = *drawPicture(renderer, state, 0, resources, "shadow", 64, 64, samples, false);
         int between = 0; // white inside, dark outside: grey is the smoothed outline
@@ -261,8 +262,8 @@ TEST(Renderer, HalfCoveredPixelsKeepTheirColour)
     context();
     Renderer renderer;
     State state = sampleState("flat", "sphere");
-    state.parameters.background = 2;
-    const Resources resources = resourcesOf(state);
+    state.parameters.background = Backdrop::Transparent;
+    Resources resources = resourcesOf(state);
     const Image image = *drawPicture(renderer, state, 0, resources, "shadow", 64, 64, 16, false); // white inside
     int edge = 0;
     for (int y = 0; y < 64; ++y)
@@ -279,11 +280,11 @@ TEST(Renderer, TransparentBackgroundHasNoAlpha)
     context();
     Renderer renderer;
     State state = sampleState("flat", "sphere");
-    state.parameters.background = 2;
+    state.parameters.background = Backdrop::Transparent;
     const Image image = picture(renderer, state, resourcesOf(state), "shaded", false, 64, 64);
     EXPECT_EQ(image.value(0, 0, 3), 0.f);
     EXPECT_EQ(image.value(32, 32, 3), 1.f);
-    state.parameters.background = 1;
+    state.parameters.background = Backdrop::Environment;
     EXPECT_EQ(picture(renderer, state, resourcesOf(state), "shaded", false, 64, 64).value(0, 0, 3), 1.f);
 }
 
@@ -300,7 +301,7 @@ TEST(Renderer, BrokenShaderKeepsTheLastPictureAndNamesTheLine)
     Renderer renderer;
     unsetenv("RELIEVO_SHADERS");
     const State state = sampleState("flat");
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     const Image good = picture(renderer, state, resources, "color");
     EXPECT_FALSE(renderer.shadersChanged());
 
@@ -311,7 +312,7 @@ TEST(Renderer, BrokenShaderKeepsTheLastPictureAndNamesTheLine)
     EXPECT_TRUE(renderer.shadersChanged());
     Framebuffer target;
     target.resize(96, 64);
-    const auto drawn = renderer.draw(state, 0, resources, "color", {target.handle(), 96, 64});
+    const auto drawn = renderer.draw({state, 0, resources, {.framebuffer = target.handle(), .width = 96, .height = 64}, "color"});
     ASSERT_FALSE(drawn);
     EXPECT_NE(drawn.error().what.find("views/color.glsl:"), std::string::npos) << drawn.error().what;
     std::vector<std::uint8_t> pixels(96 * 64 * 4); // still drawn with the program that linked
@@ -336,11 +337,11 @@ TEST(Renderer, WrapOfAnExactSearchIsNotThatOfThePictureBefore)
     State state = openSource("sample:cobblestones@64", State())->state;
     state.panes = {Pane{"cell-cone", {}}};
     state.parameters.depth = 0.4f, state.camera.pitch = 12.f;
-    const auto resources = *loadResources(state, {}, {});
+    auto resources = *loadResources(state, {}, {});
     const auto depths = [&](Renderer& renderer) { return drawPicture(renderer, state, 0, resources, "depth", 96, 72, 1, true)->data; };
     Renderer renderer;
     const auto repeated = depths(renderer);
-    state.parameters.wrap = 1;
+    state.parameters.wrap = Wrap::Clamp;
     Renderer fresh;
     const auto clamped = depths(renderer);
     EXPECT_NE(clamped, repeated);

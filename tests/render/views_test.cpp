@@ -63,7 +63,7 @@ TEST(Views, SamplesSmoothAPenumbra)
     Parameters& p = state.parameters;
     p.depth = 0.2f, p.lightSize = 12.f, p.lightPitch = 35.f, p.heightMips = false;
     state.camera.distance = 0.1f; // so near that nothing else differs between neighbours
-    const Resources resources = resourcesOf(state);
+    Resources resources = resourcesOf(state);
     // Mean difference of a pixel in penumbra from its neighbours.
     const auto grain = [&](int samples) {
         const Image shadow = *drawPicture(renderer, state, 0, resources, "shadow", 128, 128, samples, true);
@@ -90,10 +90,11 @@ TEST(Views, FramesAreMadeBeforeAnythingElse)
 {
     for (const ViewRow& view : kViews)
         for (const bool onMesh : {false, true})
-            for (const int frames : {0, 1, 2}) {
+            for (const Frames frames : {Frames::Vertex, Frames::Derivatives, Frames::Thesis}) {
                 ProgramFeatures features;
                 features.technique = "cell-cone", features.view = view.key, features.maps = {MapKind::Height};
-                features.frames = frames, features.onMesh = onMesh, features.prisms = features.curved = onMesh;
+                features.setVariant(&Parameters::frames, std::size_t(frames)), features.onMesh = onMesh,
+                                                                               features.prisms = features.curved = onMesh;
                 const auto program = meshProgram(features, embeddedReader());
                 ASSERT_TRUE(program) << message(program.error());
                 const std::string& text = program->fragment.text;

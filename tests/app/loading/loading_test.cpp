@@ -125,7 +125,7 @@ TEST_F(LoadingTest, ATechniqueClickLeavesTheLoadAlone)
     settle();
     EXPECT_EQ(fileOf(state(), MapKind::Height), file("a_height.png").toStdString());
     EXPECT_EQ(state().panes[0].technique, "cell-cone");
-    EXPECT_TRUE(missingBounds(state(), window.assets().resources()).empty());
+    EXPECT_TRUE(missingMaps().empty());
 }
 
 TEST_F(LoadingTest, TheShapeChosenLastIsShown)
@@ -155,7 +155,7 @@ TEST_F(LoadingTest, ACameraMoveStartsNothingAgain)
     EXPECT_FALSE(background().busy()) << "the same map was cancelled";
     window.setTechnique("cell-cone");
     settle();
-    EXPECT_TRUE(missingBounds(state(), window.assets().resources()).empty()) << "another one is made";
+    EXPECT_TRUE(missingMaps().empty()) << "another one is made";
 }
 
 TEST_F(LoadingTest, TheWindowNeverBakesWhileItDraws)
@@ -176,7 +176,7 @@ TEST_F(LoadingTest, TwoPanesMayWrapDifferently)
 {
     window.document().edit("Panes", [](State& s) { s.panes = {Pane{"cell-cone", {}}, Pane{"cell-cone", {{"wrap", 1}}}}; });
     settle();
-    EXPECT_EQ(window.assets().resources().bounds.size(), 2u);
+    EXPECT_EQ(window.assets().resources().accelerationMaps.count(), 2u);
     EXPECT_TRUE(waitFor([&] { return window.viewport().isSettled(); }));
     EXPECT_TRUE(window.messages().all().isEmpty()) << window.messageLine().text().toStdString();
     EXPECT_FALSE(window.viewport().picture().isNull());
@@ -286,12 +286,12 @@ TEST_F(LoadingTest, AWarningForOnePaneDoesNotKeepTheOtherFromBeingCompared)
     window.document().edit("Panes", [](State& s) {
         s.panes = {Pane{"relief", {{"tiling", 256.f}}}, Pane{"bump", {}}};
         s.camera.distance = 0.05f; // so near that half a pixel is finer than the mesh can be cut
-        s.view = "error";
+        setView(s, "error");
     });
-    auto* reference = window.viewport().findChild<MeshReference*>();
-    ASSERT_TRUE(waitFor([&] { return reference->resourcesOf(0).seen != nullptr; }, 60000));
+    const MeshReference* reference = &window.viewport().reference();
+    ASSERT_TRUE(waitFor([&] { return reference->exactOf(0) != nullptr; }, 60000));
     EXPECT_TRUE(says("coarser")) << window.messageLine().text().toStdString();
-    EXPECT_NE(reference->resourcesOf(1).seen, nullptr);
+    EXPECT_NE(reference->exactOf(1), nullptr);
 }
 
 TEST_F(LoadingTest, AMenuOfAPaneThatIsGoneDoesNothing)

@@ -13,8 +13,8 @@ namespace {
 class WaitingTest : public WindowTest {
 protected:
     Background& background() { return window.assets().background(); }
-    MeshReference& reference() { return *window.viewport().findChild<MeshReference*>(); }
-    const SeenDistances* seen() { return reference().resourcesOf(0).seen.get(); }
+    const MeshReference& reference() { return window.viewport().reference(); }
+    const ExactDistances* seen() { return reference().exactOf(0).get(); }
     bool says(const char* text) { return window.messageLine().text().contains(text); }
     bool hasError()
     {
@@ -29,7 +29,7 @@ protected:
     {
         window.maps().setMesh("sphere");
         settle();
-        window.document().edit("View", [](State& s) { s.view = "error"; });
+        window.document().edit("View", [](State& s) { setView(s, "error"); });
     }
     void traced()
     {
@@ -55,7 +55,7 @@ TEST_F(WaitingTest, TheErrorSaysThatTheMeshIsBeingTraced)
     EXPECT_FALSE(says(kTracing));
     set("depth", 0.2f);
     EXPECT_TRUE(says(kTracing));
-    window.document().edit("View", [](State& s) { s.view = "shaded"; });
+    window.document().edit("View", [](State& s) { setView(s, "shaded"); });
     EXPECT_FALSE(says(kTracing));
 }
 
@@ -63,16 +63,16 @@ TEST_F(WaitingTest, WhatWasTracedIsKeptAsLongAsItHolds)
 {
     showError();
     traced();
-    const SeenDistances* first = seen();
+    const ExactDistances* first = seen();
     set("exposure", 1.f);
     set("errorRange", 0.2f);
     set("maxSteps", 64);
     window.setTechnique("cell-cone");
     settle();
     EXPECT_EQ(seen(), first);
-    window.document().edit("View", [](State& s) { s.view = "shaded"; });
+    window.document().edit("View", [](State& s) { setView(s, "shaded"); });
     EXPECT_EQ(seen(), nullptr) << "other views pay nothing";
-    window.document().edit("View", [](State& s) { s.view = "error"; });
+    window.document().edit("View", [](State& s) { setView(s, "error"); });
     EXPECT_EQ(seen(), first);
     EXPECT_FALSE(reference().busy());
     for (const char* key : {"depth", "tiling", "rotation"}) {
@@ -89,7 +89,7 @@ TEST_F(WaitingTest, AnotherSizeIsTracedAndSaysSo)
     QStringList told;
     QObject::connect(&window.messages(), &Messages::changed, &window.viewport(), [&] { told << window.messageLine().text(); });
     window.resize(window.size() - QSize(0, 60));
-    ASSERT_TRUE(waitFor([&] { return seen() && seen()->height == window.viewport().picture().height(); }));
+    ASSERT_TRUE(waitFor([&] { return seen() && seen()->pixels.height == window.viewport().picture().height(); }));
     EXPECT_FALSE(told.filter(kTracing).isEmpty());
     EXPECT_FALSE(says(kTracing));
 }
@@ -128,7 +128,7 @@ TEST_F(WaitingTest, AStoppedBakeSaysSoAndStartsWhenTheTechniqueIsChosenAgain)
     chooseAgain();
     EXPECT_TRUE(background().busy());
     settle();
-    EXPECT_TRUE(missingBounds(state(), window.assets().resources()).empty());
+    EXPECT_TRUE(missingMaps().empty());
     EXPECT_TRUE(window.messages().all().isEmpty()) << window.messageLine().text().toStdString();
     chooseAgain();
     EXPECT_FALSE(background().busy()) << "all is there";

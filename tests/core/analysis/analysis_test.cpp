@@ -169,7 +169,7 @@ TEST(Sweep, IsReproducible)
         EXPECT_EQ((*a)[i].errors.meanFetches, (*b)[i].errors.meanFetches);
         EXPECT_EQ((*a)[i].bytesPerTexel, (*b)[i].bytesPerTexel);
         const TechniqueRow& technique = *plan.settings[(*a)[i].setting].technique;
-        EXPECT_EQ((*b)[i].bakeSeconds > 0., !technique.bound.empty()) << technique.key;
+        EXPECT_EQ((*b)[i].bakeSeconds > 0., !technique.accelerationMap.empty()) << technique.key;
         EXPECT_EQ((*a)[i].errors.invalid, 0u) << technique.key;
         if (technique.isExact) {
             EXPECT_EQ((*a)[i].errors.wrongShare(), 0.) << technique.key;
@@ -201,7 +201,7 @@ TEST(Sweep, StopsWhenCancelled)
     stop.request_stop();
     const auto rows = sweep(planOf({"relief"}, {"waves"}), {{}, stop.get_token()});
     ASSERT_FALSE(rows);
-    EXPECT_EQ(rows.error().what, "cancelled");
+    EXPECT_TRUE(isCancelled(rows.error()));
 }
 
 TEST(Tune, CheapestFirstAndTiesByTheMost)

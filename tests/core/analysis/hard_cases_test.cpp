@@ -4,6 +4,7 @@
 #include "core/analysis/metrics.h"
 #include "core/analysis/ray_sets.h"
 #include "core/image/samples/hard_cases.h"
+#include "core/scene/resources.h"
 #include "core/scene/source.h"
 #include "core/state/techniques.h"
 #include "core/trace/exact_search.h"

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/image/material.h"
+#include "core/scene/resources.h"
 #include "core/scene/source.h"
 #include <string>
 

@@ -22,7 +22,7 @@ std::string rolesText(const NameGuess& guess)
     for (const MapRole& role : guess.roles) {
         text += (text.empty() ? "" : " ") + std::string(row(role.kind).key);
         if (role.channel != Channel::Rgb)
-            text += ":" + std::string(kChannelKeys[std::size_t(role.channel)]);
+            text += ":" + std::string(wordOf(role.channel));
     }
     return text;
 }

@@ -21,7 +21,7 @@ std::string mapsOf(const Expected<TextureSet>& set)
     std::string text;
     for (const FoundMap& map : set->maps)
         text += std::string(row(map.kind).key) + " " + map.file.filename().string() + " "
-            + std::string(kChannelKeys[std::size_t(map.channel)]) + "\n";
+            + std::string(wordOf(map.channel)) + "\n";
     return text;
 }
 

@@ -1,8 +1,8 @@
 // Cell cones by brute force: what a texel says holds for every point of its nodes and of the field.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/maps/acceleration/acceleration_map.h"
 #include "core/maps/acceleration/cell_cones.h"
-#include "core/maps/acceleration/search_texture.h"
 #include "core/maps/maps.h"
 #include "core/trace/reference.h"
 #include "core/trace/shader_on_cpu.h"
@@ -147,7 +147,7 @@ TEST(CellCones, LevelsOfAnySizeMakeOneTexture)
     const int sizes[][2] = {{13, 21}, {1, 9}, {64, 3}, {6, 7}, {2, 2}, {1, 1}};
     for (const auto& [width, height] : sizes) {
         const HeightField field = randomField(random, width, height, Wrap::Repeat);
-        const auto texture = searchTexture("cell-cone", field, {}, true);
+        const auto texture = makeAccelerationMap("cell-cone", field, {}, true);
         ASSERT_TRUE(texture);
         const std::vector<HeightField> fields = heightLevels(field);
         EXPECT_EQ(int(fields.size()), levelCount(field));

@@ -58,7 +58,7 @@ TEST_P(Distance, InterpolatedExceedsTheTrueDistanceByHalfADiagonal)
     for (const HardField& hard : kHardFields)
         for (const auto [width, height] : {std::array{1, 1}, {7, 12}, {150, 131}}) {
             const HeightField field = hardField(hard, width, height, GetParam());
-            const BakedMap map = *bakeMap(*findMap("distance"), field, Parameters());
+            const BakedMap map = *bakeMap(*findBakedMap("distance"), field, Parameters());
             ASSERT_EQ(map.slices, kDistanceSlices);
             ASSERT_EQ(map.levels[0].width, std::min(width, kDistanceSize));
             ASSERT_EQ(map.levels[0].height, std::min(height, kDistanceSize) * map.slices);
@@ -80,7 +80,7 @@ TEST_P(Distance, IsNearTheTrueDistance)
     for (const char* name : {"waves", "one wave", "domes", "one needle", "terraces", "flat"}) {
         const auto hard = std::ranges::find_if(kHardFields, [&](const HardField& f) { return std::string_view(f.name) == name; });
         const HeightField field = hardField(*hard, 128, 128, GetParam());
-        const BakedMap map = *bakeMap(*findMap("distance"), field, Parameters());
+        const BakedMap map = *bakeMap(*findBakedMap("distance"), field, Parameters());
         for (int n = 0; n < 100; ++n) {
             const int i = n * 37 % 128, j = n * 59 % 128, k = n % kDistanceSlices;
             const glm::dvec3 p((i + 0.5) / 128, (j + 0.5) / 128, (k + 0.5) / kDistanceSlices);

@@ -95,7 +95,7 @@ TEST(HeightFromNormal, AnyImageGivesHeights)
 TEST(HeightFromNormal, EachRowIsMadeFromItsOwnMap)
 {
     float depth = 0.f;
-    EXPECT_FALSE(bakeMap(*findMap("height-from-normal"), smooth(8, 8, Wrap::Repeat), Parameters()));
-    EXPECT_FALSE(bakeMapFromNormals(*findMap("cone"), noiseImage(4, 4, 3, PixelType::U8), Wrap::Repeat, depth));
-    EXPECT_TRUE(bakeMapFromNormals(*findMap("height-from-normal"), noiseImage(4, 4, 3, PixelType::U8), Wrap::Repeat, depth));
+    EXPECT_FALSE(bakeMap(*findBakedMap("height-from-normal"), smooth(8, 8, Wrap::Repeat), Parameters()));
+    EXPECT_FALSE(bakeMapFromNormals(*findBakedMap("cone"), noiseImage(4, 4, 3, PixelType::U8), Wrap::Repeat, depth));
+    EXPECT_TRUE(bakeMapFromNormals(*findBakedMap("height-from-normal"), noiseImage(4, 4, 3, PixelType::U8), Wrap::Repeat, depth));
 }

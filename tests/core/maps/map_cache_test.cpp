@@ -1,7 +1,7 @@
 // The cache of baked maps: what goes in comes out, anything else is baked again.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/maps/acceleration/search_texture.h"
+#include "core/maps/acceleration/acceleration_map.h"
 #include "core/maps/map_cache.h"
 #include "core/maps/maps.h"
 #include "tests/core/image/image_support.h"
@@ -36,7 +36,7 @@ bool same(const BakedMap& a, const BakedMap& b)
 
 BakedMap pyramid()
 {
-    const MapRow& row = *findMap("pyramid");
+    const BakedMapRow& row = *findBakedMap("pyramid");
     return storedMap(row, *bakeMap(row, field(), Parameters()), row.bits);
 }
 
@@ -73,17 +73,18 @@ TEST(MapCache, KeysTellApartWhateverTheMapDependsOn)
     const auto texels = square.texels();
     Parameters deeper;
     deeper.depth = 0.2f;
-    MapRow newer = *findMap("ao"), finer = newer;
+    BakedMapRow newer = *findBakedMap("ao"), finer = newer;
     ++newer.version;
     finer.bits = 8;
-    const std::string key = mapKey(*findMap("ao"), field(), Parameters());
-    const std::set<std::string> keys = {key, mapKey(*findMap("ao"), field(1), Parameters()), mapKey(*findMap("ao"), field(), deeper),
-        mapKey(*findMap("ao"), field().withWrap(Wrap::Clamp), Parameters()), mapKey(*findMap("cone"), field(), Parameters()),
-        mapKey(newer, field(), Parameters()), mapKey(finer, field(), Parameters()),
-        mapKey(*findMap("ao"), HeightField(12, 48, std::vector<float>(texels.begin(), texels.end())), Parameters())};
+    const std::string key = mapKey(*findBakedMap("ao"), field(), Parameters());
+    const std::set<std::string> keys = {key, mapKey(*findBakedMap("ao"), field(1), Parameters()),
+        mapKey(*findBakedMap("ao"), field(), deeper), mapKey(*findBakedMap("ao"), field().withWrap(Wrap::Clamp), Parameters()),
+        mapKey(*findBakedMap("cone"), field(), Parameters()), mapKey(newer, field(), Parameters()), mapKey(finer, field(), Parameters()),
+        mapKey(*findBakedMap("ao"), HeightField(12, 48, std::vector<float>(texels.begin(), texels.end())), Parameters())};
     EXPECT_EQ(keys.size(), 8u);
-    EXPECT_EQ(mapKey(*findMap("ao"), field(), Parameters()), key);
-    EXPECT_EQ(mapKey(*findMap("cone"), field(), deeper), mapKey(*findMap("cone"), field(), Parameters())) << "cones do not depend on depth";
+    EXPECT_EQ(mapKey(*findBakedMap("ao"), field(), Parameters()), key);
+    EXPECT_EQ(mapKey(*findBakedMap("cone"), field(), deeper), mapKey(*findBakedMap("cone"), field(), Parameters()))
+        << "cones do not depend on depth";
 }
 
 TEST(MapCache, FilesReadBackAndNothingElseDoes)
@@ -135,7 +136,7 @@ TEST(MapCache, HeadsThatLieAreRefused)
 TEST(MapCache, AMapIsBakedOnceAndReadAfterwards)
 {
     const OwnCache cache;
-    const MapRow& row = *findMap("pyramid");
+    const BakedMapRow& row = *findBakedMap("pyramid");
     const auto first = cachedMap(row, field(), Parameters());
     ASSERT_TRUE(first);
     EXPECT_EQ(*first, *cachedMap(row, field(), Parameters())) << "from memory";
@@ -150,7 +151,7 @@ TEST(MapCache, AMapIsBakedOnceAndReadAfterwards)
 TEST(MapCache, ASpoiltFileIsBakedAgainAndReplaced)
 {
     const OwnCache cache;
-    const MapRow& row = *findMap("pyramid");
+    const BakedMapRow& row = *findBakedMap("pyramid");
     const auto first = cachedMap(row, field(), Parameters());
     const fs::path file = filesIn(cache.path()).front();
     const std::string whole = readAll(file);
@@ -173,7 +174,7 @@ TEST(MapCache, WithoutAUsableFolderNothingIsKept)
         {std::string("off"), (folder / "file").string(), (folder / "file" / "below").string(), std::string("/proc/none")}) {
         ::setenv("RELIEVO_CACHE", value.c_str(), 1);
         forgetMapsInMemory();
-        EXPECT_TRUE(cachedMap(*findMap("pyramid"), field(), Parameters())) << value;
+        EXPECT_TRUE(cachedMap(*findBakedMap("pyramid"), field(), Parameters())) << value;
     }
     EXPECT_EQ(filesIn(folder.path()).size(), 1u);
     ::setenv("RELIEVO_CACHE", "off", 1);
@@ -281,11 +282,12 @@ TEST(MapCache, AMapWhoseFileExceedsTheRoomIsNotWritten)
     EXPECT_FALSE(mapOnDisk(folder.path(), "1"));
 }
 
-TEST(SearchTexture, AVolumeIsBakedOnceForAllHeightLevels)
+TEST(AccelerationMap, AVolumeIsBakedOnceForAllHeightLevels)
 {
     const OwnCache cache;
     const HeightField finest = heightLevels(field()).front();
-    const auto one = searchTexture("distance", finest, Parameters(), false), all = searchTexture("distance", finest, Parameters(), true);
+    const auto one = makeAccelerationMap("distance", finest, Parameters(), false),
+               all = makeAccelerationMap("distance", finest, Parameters(), true);
     ASSERT_TRUE(one && all);
     EXPECT_EQ(filesIn(cache.path()).size(), 1u);
     ASSERT_EQ((*all)->levels.size(), 1u);
@@ -314,7 +316,7 @@ TEST(SearchTexture, AVolumeIsBakedOnceForAllHeightLevels)
 TEST(MapCache, WithoutMemoryToKeepOrReadAMapItIsBakedAllTheSame)
 {
     const OwnCache cache;
-    const MapRow& row = *findMap("curvature");
+    const BakedMapRow& row = *findBakedMap("curvature");
     constexpr std::size_t kStored = 256 * 256 * 2; // bytes; a file has some more, the floats have twice as many
     const auto bake = [&](const Progress& progress = {}) {
         forgetMapsInMemory();
@@ -345,12 +347,12 @@ TEST(MapCache, OutOfMemoryIsAnErrorWhereverItStrikes)
     constexpr std::size_t kStored = 256 * 256 * 2;
     {
         const RefusedMemory refused(kStored, kStored + 1);
-        const auto map = cachedMap(*findMap("curvature"), heights, Parameters());
+        const auto map = cachedMap(*findBakedMap("curvature"), heights, Parameters());
         ASSERT_FALSE(map);
         EXPECT_NE(map.error().what.find("not enough memory"), std::string::npos);
     }
     const RefusedMemory refused(128 * 128 * 4, 128 * 128 * 4 + 1); // the level of half the size
-    const auto texture = searchTexture("pyramid", heights, Parameters(), true);
+    const auto texture = makeAccelerationMap("pyramid", heights, Parameters(), true);
     ASSERT_FALSE(texture);
     EXPECT_NE(texture.error().what.find("not enough memory"), std::string::npos);
 }

@@ -29,7 +29,7 @@ TEST(Pyramid, HoldsTheHighestCornerOfItsCells)
         for (int height = 1; height <= 20; height += 1 + width % 3) {
             const HeightField field = fieldOf(
                 width, height, [&](int, int) { return unit(random); }, (width + height) % 2 ? Wrap::Repeat : Wrap::Clamp);
-            const BakedMap map = *bakeMap(*findMap("pyramid"), field, Parameters());
+            const BakedMap map = *bakeMap(*findBakedMap("pyramid"), field, Parameters());
             int w = width, h = height;
             for (std::size_t l = 0; l < map.levels.size(); ++l) {
                 const Image& level = map.levels[l];
@@ -48,7 +48,7 @@ TEST(Pyramid, HoldsTheHighestCornerOfItsCells)
 TEST(Pyramid, SixteenBitHeightsAreStoredAsTheyAre)
 {
     const HeightField field = fieldOf(64, 64, [](int x, int y) { return float((x * 997 + y * 64 * 31) % 65536) / 65535.f; });
-    const MapRow& row = *findMap("pyramid");
+    const BakedMapRow& row = *findBakedMap("pyramid");
     const BakedMap map = *bakeMap(row, field, Parameters()), stored = storedMap(row, map, 16);
     for (std::size_t l = 0; l < map.levels.size(); ++l)
         for (int i = 0; i < map.levels[l].width; ++i)

@@ -29,7 +29,7 @@ BakedMap mapOf(const std::vector<float>& values)
 
 BakedMap stored(const BakedMap& map, const ChannelRule& rule, int bits)
 {
-    MapRow row = *findMap("pyramid");
+    BakedMapRow row = *findBakedMap("pyramid");
     row.rules[0] = rule;
     return storedMap(row, map, bits);
 }
@@ -121,19 +121,19 @@ TEST(StoredMap, ApexesOfConesStayOnTheirTexels)
         codes.push_back(float(code) / 255.f);
     for (int i = 0; i < 20000; ++i)
         heights.push_back(unit(random));
-    const auto storedIn = [](const MapRow& row, const std::vector<float>& apexes, int bits) {
+    const auto storedIn = [](const BakedMapRow& row, const std::vector<float>& apexes, int bits) {
         BakedMap map{{floatImage(int(apexes.size()), 1, 2)}};
         for (std::size_t i = 0; i < apexes.size(); ++i)
             floats(map.levels[0])[2 * i] = apexes[i];
         return storedMap(row, map, bits);
     };
     for (const char* key : {"cone", "cone-relaxed", "cone-robust"}) {
-        const BakedMap exact = storedIn(*findMap(key), codes, 16);
+        const BakedMap exact = storedIn(*findBakedMap(key), codes, 16);
         ASSERT_EQ(exact.scale[0], 1.f);
         for (std::size_t i = 0; i < codes.size(); ++i)
             ASSERT_EQ(exact.levels[0].value(int(i), 0, 0), codes[i]) << key;
         for (const int bits : {8, 16}) {
-            const BakedMap above = storedIn(*findMap(key), heights, bits);
+            const BakedMap above = storedIn(*findBakedMap(key), heights, bits);
             for (std::size_t i = 0; i < heights.size(); ++i)
                 ASSERT_GE(above.levels[0].value(int(i), 0, 0), heights[i]) << key << ' ' << bits;
         }
@@ -145,9 +145,9 @@ TEST(StoredMap, CancelledItStops)
     const BakedMap map = mapOf({1.f, 0.5f});
     std::stop_source stop;
     const Progress progress{{}, stop.get_token()};
-    EXPECT_EQ(storedMap(*findMap("pyramid"), map, 16, progress).levels[0].value(0, 0, 0), 1.f);
+    EXPECT_EQ(storedMap(*findBakedMap("pyramid"), map, 16, progress).levels[0].value(0, 0, 0), 1.f);
     stop.request_stop();
-    EXPECT_EQ(storedMap(*findMap("pyramid"), map, 16, progress).levels[0].value(0, 0, 0), 0.f) << "nothing was written any more";
+    EXPECT_EQ(storedMap(*findBakedMap("pyramid"), map, 16, progress).levels[0].value(0, 0, 0), 0.f) << "nothing was written any more";
 }
 
 TEST(StoredMap, AConstantZeroAndNanStayFinite)

@@ -96,7 +96,7 @@ TEST(Horizon, AlongTheAxesItIsTheHighestTexel)
         for (const auto [width, height] : {std::array{1, 1}, {1, 5}, {6, 1}, {16, 16}, {20, 13}}) {
             const HeightField field = fieldOf(
                 width, height, [&](int, int) { return unit(random); }, wrap);
-            const BakedMap map = *bakeMap(*findMap("horizon"), field, atDepth());
+            const BakedMap map = *bakeMap(*findBakedMap("horizon"), field, atDepth());
             ASSERT_EQ(map.slices, 2);
             ASSERT_EQ(map.levels[0].height, 2 * height);
             for (int index = 0; index < 8; index += width == height ? 1 : 2) {
@@ -144,7 +144,7 @@ TEST(Horizon, InAnyDirectionItIsWhatMarchingSees)
                     return 0.5f + 0.25f * (std::sin(12.566f * float(x) / float(width)) + std::cos(18.85f * float(y) / float(height)));
                 },
                 wrap);
-            const BakedMap map = *bakeMap(*findMap("horizon-16"), field, atDepth());
+            const BakedMap map = *bakeMap(*findBakedMap("horizon-16"), field, atDepth());
             double sum = 0.;
             int count = 0, far = 0;
             for (int index = 0; index < 16; ++index)
@@ -162,7 +162,7 @@ TEST(Horizon, InAnyDirectionItIsWhatMarchingSees)
 TEST(Ao, IsTheMeanOverTheHorizons)
 {
     const HeightField field = hardField(kHardFields[0], 48, 64);
-    const BakedMap ao = *bakeMap(*findMap("ao"), field, atDepth()), horizons = *bakeMap(*findMap("horizon-16"), field, atDepth());
+    const BakedMap ao = *bakeMap(*findBakedMap("ao"), field, atDepth()), horizons = *bakeMap(*findBakedMap("horizon-16"), field, atDepth());
     for (int n = 0; n < 48 * 64; ++n) {
         double open = 0.;
         for (int index = 0; index < 16; ++index)
@@ -175,11 +175,11 @@ TEST(Ao, IsTheMeanOverTheHorizons)
 TEST(Ao, OpensUpwardsAndClosesInHoles)
 {
     const HeightField flat = hardField(kHardFields.back(), 16, 16);
-    const BakedMap open = *bakeMap(*findMap("ao"), flat, atDepth());
+    const BakedMap open = *bakeMap(*findBakedMap("ao"), flat, atDepth());
     for (int i = 0; i < 16; ++i)
         EXPECT_EQ(open.levels[0].value(i, i, 0), 1.f);
     const HeightField well = fieldOf(64, 64, [](int x, int y) { return std::hypot(x - 32, y - 32) < 3. ? 0.f : 1.f; });
-    const Image ao = bakeMap(*findMap("ao"), well, atDepth())->levels[0];
+    const Image ao = bakeMap(*findBakedMap("ao"), well, atDepth())->levels[0];
     EXPECT_LT(ao.value(32, 32, 0), 0.1f);
     EXPECT_EQ(ao.value(5, 5, 0), 1.f);
 }
@@ -195,9 +195,9 @@ TEST(Curvature, OfASphereAndOfAPlane)
     });
     const auto curvatureOf
         = [](float value) { return double(kCurvatureHalf) * double(2.f * value - 1.f) / (1. - std::abs(double(2.f * value - 1.f))); };
-    const Image bump = bakeMap(*findMap("curvature"), sphere, parameters)->levels[0];
+    const Image bump = bakeMap(*findBakedMap("curvature"), sphere, parameters)->levels[0];
     for (const auto [x, y] : {std::array{100, 80}, {70, 60}, {130, 110}})
         EXPECT_NEAR(curvatureOf(bump.value(x, y, 0)), 1. / kRadius, 0.05);
     const HeightField ramp = hardField(kHardFields[11], 64, 64);
-    EXPECT_NEAR(bakeMap(*findMap("curvature"), ramp, parameters)->levels[0].value(30, 30, 0), 0.5f, 1e-4f);
+    EXPECT_NEAR(bakeMap(*findBakedMap("curvature"), ramp, parameters)->levels[0].value(30, 30, 0), 0.5f, 1e-4f);
 }

@@ -6,6 +6,7 @@
 #include "core/ground/file.h"
 #include "core/image/files/image_file.h"
 #include "core/image/samples/samples.h"
+#include "core/scene/source.h"
 #include "core/state/state_json.h"
 #include "tests/core/maps/refused_memory.h"
 #include <cmath>
@@ -255,7 +256,7 @@ TEST_F(Export, WhatGltfLeavesOutIsTold)
     EXPECT_TRUE(codes().contains("normal-made"));
     ASSERT_TRUE(run("textures", "set"));
     m_state.slots[std::size_t(MapKind::Specular)].file = (m_folder / "set/HammeredMetal_Color.png").string();
-    m_state.parameters.shading = 1;
+    m_state.parameters.shading = Shading::BlinnPhong;
     EXPECT_TRUE(codes().contains("gltf-specular"));
 }
 

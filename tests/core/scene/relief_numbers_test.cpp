@@ -5,6 +5,8 @@
 #include "core/ground/file.h"
 #include "core/image/files/image_file.h"
 #include "core/scene/relief_numbers.h"
+#include "core/scene/resources.h"
+#include "core/scene/source.h"
 #include "tests/core/mesh/mesh_support.h"
 #include <nlohmann/json.hpp>
 
@@ -139,7 +141,7 @@ TEST(ReliefJson, IsReadAsItWasWritten)
     const Scratch scratch;
     State state = sample();
     Parameters& p = state.parameters;
-    p.depth = 0.037f, p.midlevel = 0.25f, p.tiling = 3.f, p.offsetU = 0.5f, p.offsetV = -0.25f, p.rotation = 30.f, p.wrap = 1;
+    p.depth = 0.037f, p.midlevel = 0.25f, p.tiling = 3.f, p.offsetU = 0.5f, p.offsetV = -0.25f, p.rotation = 30.f, p.wrap = Wrap::Clamp;
     p.normalStrength = 1.5f;
     state.panes[0].technique = "pom";
     const Expected<Opened> again = openSource(exportedFolder(scratch, state).string(), State());

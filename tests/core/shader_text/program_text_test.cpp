@@ -10,10 +10,10 @@
 using namespace relievo;
 
 namespace {
-const std::set<MapKind> kAll = {MapKind::Height, MapKind::Color, MapKind::Normal, MapKind::Roughness};
-ProgramText textOf(const char* technique, const char* view, const Parameters& parameters = {}, const std::set<MapKind>& maps = kAll)
+constexpr EnumSet<MapKind> kAll = {MapKind::Height, MapKind::Color, MapKind::Normal, MapKind::Roughness};
+ProgramText textOf(const char* technique, const char* view, const Parameters& parameters = {}, EnumSet<MapKind> maps = kAll)
 {
-    auto text = meshProgram(programFeatures(parameters, technique, view, maps, false), embeddedReader());
+    auto text = meshProgram(programFeatures(parameters, *findTechnique(technique), *findView(view), maps, false), embeddedReader());
     EXPECT_TRUE(text) << message(text.error());
     return *text;
 }
@@ -52,7 +52,7 @@ TEST(ProgramText, ExactSearchesKnowWrapAndLevelBeforehand)
         EXPECT_FALSE(repeats.mentions("wrap")) << key;
         EXPECT_TRUE(textOf(key, "depth").fragment.mentions("heightLevel")) << key;
         Parameters ending = parameters;
-        ending.wrap = 1;
+        ending.wrap = Wrap::Clamp;
         EXPECT_NE(textOf(key, "depth", ending).fragment.text, repeats.text) << key;
     }
     EXPECT_EQ(textOf("relief", "depth", parameters).fragment.text, textOf("relief", "depth").fragment.text);
@@ -103,9 +103,14 @@ TEST(ProgramText, MissingIncludeIsAnError)
     const ShaderReader reader = [](std::string_view name) -> Expected<std::string> {
         return name == "output/main.glsl" ? Expected<std::string>("#include \"gone.glsl\"\n") : embeddedReader()(name);
     };
-    const auto text = meshProgram(programFeatures({}, "flat", "color", {}, false), reader);
+    const auto text = meshProgram(programFeatures({}, knownTechnique("flat"), knownView("color"), {}, false), reader);
     ASSERT_FALSE(text);
     EXPECT_EQ(text.error().where, "shaders/gone.glsl");
+}
+
+TEST(ProgramText, AMissingColorMapIsTheSameInShadersAndExports)
+{
+    EXPECT_EQ(kColorWithoutMapText, "vec3(" + std::to_string(kColorWithoutMap).substr(0, 3) + "f)");
 }
 
 TEST(ProgramText, CommentsAreBlankedIdentifiersFound)
@@ -122,7 +127,33 @@ TEST(ProgramText, EveryTechniqueAndViewAssembles)
             for (const bool linear : {false, true}) {
                 if (technique.file.empty())
                     continue;
-                EXPECT_TRUE(meshProgram(programFeatures({}, technique.key, view.key, kAll, linear), embeddedReader()))
+                EXPECT_TRUE(meshProgram(programFeatures({}, technique, view, kAll, linear), embeddedReader()))
                     << technique.key << ' ' << view.key;
             }
+}
+
+// The text depends on no parameter but those whose rows say so; and each of those changes it for some technique and view.
+TEST(ProgramText, DependsOnTheParametersThatSaySo)
+{
+    for (const ParameterRow& row : kParameters) {
+        bool changes = false;
+        for (const TechniqueRow& technique : kTechniques)
+            for (const ViewRow& view : kViews) {
+                Parameters base;
+                base.silhouettes = Silhouettes::Quadric, base.objectShadows = true, base.shadows = true;
+                Parameters turned = base;
+                set(turned, row, kindOf(row) == ValueKind::Switch ? Value(!std::get<bool>(get(base, row))) : Value(get(base, row)));
+                if (kindOf(row) == ValueKind::Choice)
+                    set(turned, row, std::get<int>(get(base, row)) == 0 ? 1 : 0);
+                else if (kindOf(row) == ValueKind::Whole)
+                    set(turned, row, std::get<int>(get(base, row)) + 1);
+                else if (kindOf(row) == ValueKind::Number)
+                    set(turned, row, std::get<float>(get(base, row)) == row.max ? row.min : row.max);
+                else if (kindOf(row) == ValueKind::Color)
+                    set(turned, row, Value(glm::vec3(row.min)));
+                changes = changes
+                    || programFeatures(base, technique, view, kAll, false) != programFeatures(turned, technique, view, kAll, false);
+            }
+        EXPECT_EQ(changes, row.affects.contains(Affects::ProgramText)) << row.key;
+    }
 }

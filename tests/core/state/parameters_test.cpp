@@ -31,7 +31,7 @@ TEST(Tables, KeysAreUnique)
     EXPECT_TRUE(keysAreUnique(kTechniques, &TechniqueRow::key));
     EXPECT_TRUE(keysAreUnique(kViews, &ViewRow::key));
     EXPECT_TRUE(keysAreUnique(kMapKinds, &MapKindRow::key));
-    EXPECT_TRUE(keysAreUnique(kMaps, &MapRow::key));
+    EXPECT_TRUE(keysAreUnique(kBakedMaps, &BakedMapRow::key));
     EXPECT_TRUE(keysAreUnique(kExports, &ExportRow::key));
     EXPECT_TRUE(keysAreUnique(kPresets, &PresetRow::key));
 }
@@ -42,34 +42,55 @@ TEST(Tables, MapKindsStandInOrder)
         EXPECT_EQ(std::size_t(kMapKinds[i].kind), i);
 }
 
-TEST(Tables, TechniquesNameParametersAndMapsThatExist)
+TEST(Tables, TechniquesListParametersThatAreShownByThem)
 {
-    for (const TechniqueRow& technique : kTechniques) {
-        std::size_t named = 0;
-        for (const ParameterRow& row : kParameters)
-            if (listHas(technique.parameters, row.key)) {
-                ++named;
-                EXPECT_TRUE(listHas(row.shown, "technique")) << row.key;
-            }
-        const std::string list(technique.parameters);
-        EXPECT_EQ(named, list.empty() ? 0u : std::size_t(std::count(list.begin(), list.end(), ' ')) + 1) << technique.key;
+    for (const ParameterRow& row : kParameters) {
+        bool listed = false;
+        for (const TechniqueRow& technique : kTechniques)
+            listed = listed || technique.parameters.contains(row);
+        EXPECT_EQ(listed, row.shown.byTechnique) << row.key;
+        if (row.affects.contains(Affects::Search)) {
+            EXPECT_TRUE(listed) << row.key;
+        }
     }
 }
 
-TEST(Parameters, ConditionsOfShownNameParametersAndValues)
+TEST(Parameters, ConditionsOfShownNameSwitchesAndOptions)
 {
     for (const ParameterRow& row : kParameters) {
-        std::istringstream words{std::string(row.shown)};
-        for (std::string word; words >> word;) {
-            if (word == "technique" || word == "animated")
-                continue;
-            const std::size_t equals = word.find('=');
-            ASSERT_NE(equals, word.npos) << row.key;
-            const ParameterRow* other = findParameter(word.substr(0, equals));
-            ASSERT_TRUE(other) << row.key;
-            EXPECT_TRUE(parseValue(*other, word.substr(equals + 1))) << row.key;
-        }
+        if (!row.shown.when)
+            continue;
+        const auto other = std::ranges::find(kParameters, row.shown.when->member, &ParameterRow::member);
+        ASSERT_NE(other, kParameters.end()) << row.key;
+        const int options = kindOf(*other) == ValueKind::Switch ? 2 : optionCount(*other);
+        EXPECT_GE(row.shown.when->value, 0) << row.key;
+        EXPECT_LT(row.shown.when->value, options) << row.key;
     }
+}
+
+TEST(Choices, WordsAreReadBackAndDiffer)
+{
+    for (const ParameterRow& row : kParameters) {
+        EXPECT_EQ(optionCount(row) > 0, kindOf(row) == ValueKind::Choice) << row.key;
+        for (int i = 0; i < optionCount(row); ++i)
+            EXPECT_EQ(findOption(row, option(row, i)), i) << row.key;
+        EXPECT_EQ(option(row, optionCount(row)), "") << row.key;
+        EXPECT_EQ(option(row, -1), "") << row.key;
+    }
+    static_assert(kChoices<Silhouettes> == 4 && wordOf(Silhouettes::Prisms) == "prisms");
+    static_assert(choiceOf<Wrap>("clamp") == Wrap::Clamp && !choiceOf<Wrap>("mirror"));
+}
+
+TEST(Parameters, OnlyAffectingKeepsThoseAlone)
+{
+    Parameters all;
+    all.depth = 0.3f, all.time = 2.f, all.tint = glm::vec3(0.5f), all.wrap = Wrap::Clamp, all.exposure = 1.f;
+    Parameters expected;
+    expected.depth = 0.3f, expected.time = 2.f, expected.wrap = Wrap::Clamp;
+    EXPECT_EQ(onlyAffecting(Affects::ExactAnswer, all), expected);
+    Parameters moment;
+    moment.time = 2.f;
+    EXPECT_EQ(onlyAffecting(Affects::Pose, all), moment);
 }
 
 TEST(Parameters, EveryValueReadsBackFromItsText)
@@ -79,8 +100,8 @@ TEST(Parameters, EveryValueReadsBackFromItsText)
         for (int i = 0; i < 200; ++i) {
             std::uniform_real_distribution<float> spread(row.min, row.max);
             const Value samples[]
-                = {spread(random), int(spread(random)), spread(random) > 0.5f, glm::vec3(spread(random), spread(random), spread(random))};
-            const Value& value = samples[row.member.index()];
+                = {spread(random), int(spread(random)), spread(random) > 0.5f, glm::vec3(spread(random), spread(random), spread(random)), int(spread(random))};
+            const Value& value = samples[std::size_t(kindOf(row))];
             const auto back = parseValue(row, toText(row, value));
             ASSERT_TRUE(back) << row.key << ' ' << toText(row, value);
             EXPECT_EQ(*back, value) << row.key;

@@ -19,7 +19,7 @@ State unusualState()
     State state;
     state.name = "Rust \"quoted\" \u00fc";
     state.parameters.depth = 0.1f;
-    state.parameters.shading = 1;
+    state.parameters.shading = Shading::BlinnPhong;
     state.parameters.tint = {0.1f, 0.2f, 0.3f};
     state.slots[0] = {"/a/b/height.png", Channel::A, true};
     state.slots[1] = {"sample:bricks", Channel::Rgb, false};
@@ -27,8 +27,10 @@ State unusualState()
     state.environment = "/c/sky.hdr";
     state.camera.distance = 1.7f;
     state.camera.target = glm::vec3(0.1f, -2.f, 3.f);
-    state.view = "fetches";
-    state.panes = {Pane{"bump", {}}, Pane{"relief", {{"depth", 0.2f}, {"shadows", false}}}};
+    state.panes = {Pane{"bump"}, Pane{"relief", {{"depth", 0.2f}, {"shadows", false}}}};
+    setView(state, "fetches");
+    state.panes.push_back(Pane{.technique = "cell-cone", .view = "error", .light = LightDirection{10.f, 20.f}});
+    state.panes.back().camera.emplace().yaw = 12.f;
     return state;
 }
 bool warnsOf(const Warnings& warnings, std::string_view code, std::string_view place)
@@ -47,6 +49,48 @@ TEST(StateJson, RoundTrip)
     ASSERT_TRUE(read);
     EXPECT_TRUE(read->warnings.empty());
     EXPECT_EQ(read->state, state);
+}
+
+TEST(StateJson, PanesHoldViewsCamerasAndLightsOfTheirOwn)
+{
+    const auto read = fromJson(State(), R"({"relievo":1,"view":"depth","camera":{"yaw":5},"panes":[{"technique":"relief"},
+        {"technique":"bump","view":"error","camera":{"yaw":9,"distance":3},"light":{"yaw":70}},{"technique":"flat","view":"nothing"}]})",
+        "/x", "file");
+    ASSERT_TRUE(read);
+    const State& state = read->state;
+    ASSERT_EQ(state.panes.size(), 3u);
+    EXPECT_EQ(state.panes[0].view, "depth") << "one beside the panes is that of all that name none";
+    EXPECT_EQ(state.panes[1].view, "error");
+    EXPECT_EQ(state.panes[2].view, "depth");
+    EXPECT_TRUE(warnsOf(read->warnings, "unknown-value", "panes[2].view"));
+    EXPECT_EQ(cameraOf(state, 0).yaw, 5.f);
+    EXPECT_EQ(cameraOf(state, 1).yaw, 9.f);
+    EXPECT_EQ(effectiveParameters(state, 0).lightYaw, Parameters().lightYaw);
+    EXPECT_EQ(effectiveParameters(state, 1).lightYaw, 70.f);
+    EXPECT_EQ(effectiveParameters(state, 1).lightPitch, Parameters().lightPitch);
+    State linked = state;
+    setCameraOf(linked, 0, Camera{});
+    EXPECT_EQ(cameraOf(linked, 2).yaw, Camera().yaw) << "linked panes share one";
+    EXPECT_EQ(cameraOf(linked, 1).yaw, 9.f);
+}
+
+TEST(StateJson, SixPanesAreReadAndNoMore)
+{
+    std::string panes;
+    for (int i = 0; i < 8; ++i)
+        panes += (i == 0 ? "" : ",") + std::string(R"({"technique":"bump"})");
+    const auto read = fromJson(State(), R"({"relievo":1,"panes":[)" + panes + "]}", "/x", "file");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->state.panes, std::vector<Pane>(kMaxPanes, Pane{"bump"}));
+    EXPECT_TRUE(warnsOf(read->warnings, "out-of-range", "panes"));
+    const auto bad = fromJson(State(),
+        R"({"relievo":1,"panes":[{"technique":"bump","camera":{"fov":900},"light":{"pitch":"up","roll":1}},{"light":3}]})", "/x", "file");
+    ASSERT_TRUE(bad);
+    EXPECT_TRUE(warnsOf(bad->warnings, "out-of-range", "panes[0].camera.fov"));
+    EXPECT_TRUE(warnsOf(bad->warnings, "wrong-kind", "panes[0].light.pitch"));
+    EXPECT_TRUE(warnsOf(bad->warnings, "unknown-key", "panes[0].light.roll"));
+    EXPECT_TRUE(warnsOf(bad->warnings, "wrong-kind", "panes[1].light"));
+    EXPECT_FALSE(bad->state.panes[1].light);
 }
 
 TEST(StateJson, PathsAreRelativeToTheFile)
@@ -224,8 +268,8 @@ TEST(File, WritesAreAtomicAndErrorsNameTheFile)
     EXPECT_EQ(*readText(folder / "a.txt"), "new");
     EXPECT_FALSE(writeAtomically(folder, std::string_view("x")));
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1); // no litter
-    EXPECT_FALSE(readText(folder));
-    EXPECT_FALSE(readText(folder / "none"));
+    EXPECT_EQ(readText(folder).error().code, ErrorCode::Refused);
+    EXPECT_EQ(readText(folder / "none").error().code, ErrorCode::NotFound);
     fs::remove_all(folder);
 }
 
