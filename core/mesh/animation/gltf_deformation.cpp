@@ -1,4 +1,4 @@
-// Skins and morph targets of glTF primitives; see gltf_animation.cpp for nodes and clips.
+// The joints that glTF primitives follow: those of their skins, or the node that they hang on.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/animation/gltf_deformation.h"
@@ -52,34 +52,15 @@ std::optional<Influence> strongest(std::vector<Pull>& pulls)
     }
     return influence;
 }
-
-// As exporters agree to write it, in "extras".
-std::string targetName(const tinygltf::Mesh& mesh, std::size_t t)
-{
-    if (mesh.extras.IsObject() && mesh.extras.Has("targetNames")) {
-        const tinygltf::Value& names = mesh.extras.Get("targetNames");
-        if (names.IsArray() && t < names.ArrayLen() && names.Get(int(t)).IsString())
-            return names.Get(int(t)).Get<std::string>();
-    }
-    return "target " + std::to_string(t);
-}
-
-glm::vec3 tripleAt(const std::vector<float>& values, std::size_t i)
-{
-    return {values[i * 3], values[i * 3 + 1], values[i * 3 + 2]};
-}
-
-bool isSmall(glm::vec3 v)
-{
-    return glm::dot(glm::abs(v), glm::vec3(1.f)) < 1e15f;
-} // false for NaN
 } // namespace
 
-GltfDeformation::GltfDeformation(const tinygltf::Model& model, std::string where) : m_model(model), m_where(std::move(where))
+GltfDeformation::GltfDeformation(const tinygltf::Model& model, std::string where)
+    : m_model(model)
+    , m_where(std::move(where))
+    , m_nodes(readNodes(model))
+    , m_clips(readClips(model, m_nodes, m_where))
+    , m_targets(model, m_nodes, m_where)
 {
-    m_raw.deformation.joints.resize(1);
-    orderNodes();
-    readClips();
 }
 
 // The skin that moves the primitive, when it has one that can.
@@ -112,9 +93,9 @@ glm::dmat4 GltfDeformation::storedAt(const tinygltf::Primitive& primitive, int n
         const tinygltf::Skin& used = m_model.skins[std::size_t(*skin)];
         const std::vector<glm::dmat4> bind = bindMatrices(used);
         const int joint = used.joints.empty() ? -1 : used.joints.front();
-        const int number = joint >= 0 && std::size_t(joint) < m_nodeNumbers.size() ? m_nodeNumbers[std::size_t(joint)] : -1;
+        const int number = m_nodes.numberOf(joint);
         if (number >= 0)
-            place->second = glm::dvec3(m_rest[std::size_t(number)] * (bind.empty() ? glm::dmat4(1.0) : bind.front())[3]);
+            place->second = glm::dvec3(m_nodes.rest[std::size_t(number)] * (bind.empty() ? glm::dmat4(1.0) : bind.front())[3]);
     }
     glm::dmat4 stored = world;
     if (isFar(glm::dvec3(world[3]) - place->second))
@@ -132,22 +113,21 @@ Expected<void> GltfDeformation::addPrimitive(
     } else {
         Influence rigid;
         rigid.joints[0] = rigidJoint(node, world);
-        m_raw.deformation.influences.resize(raw.positions.size(), rigid);
+        m_influences.resize(raw.positions.size(), rigid);
     }
-    return addTargets(primitive, node, world, first, raw);
+    return m_targets.addPrimitive(primitive, node, world, first, raw);
 }
 
 std::uint16_t GltfDeformation::rigidJoint(int node, const glm::dmat4& world)
 {
     const std::optional<glm::dmat4> fromMesh = inverseOf(world);
-    const int number = node < 0 ? -1 : m_nodeNumbers[std::size_t(node)];
-    std::vector<Joint>& joints = m_raw.deformation.joints;
-    if (!fromMesh || number < 0 || !m_animated[std::size_t(number)] || joints.size() >= kMostJoints)
+    const int number = m_nodes.numberOf(node);
+    if (!fromMesh || number < 0 || !m_clips.moves[std::size_t(number)] || m_joints.size() >= kMostJoints)
         return 0;
-    if (joints.back().node == number && joints.back().fromMesh == *fromMesh) // another primitive of the same node
-        return std::uint16_t(joints.size() - 1);
-    joints.push_back({number, *fromMesh});
-    return std::uint16_t(joints.size() - 1);
+    if (m_joints.back().node == number && m_joints.back().fromMesh == *fromMesh) // another primitive of the same node
+        return std::uint16_t(m_joints.size() - 1);
+    m_joints.push_back({number, *fromMesh});
+    return std::uint16_t(m_joints.size() - 1);
 }
 
 // The skin's joints for a mesh placed by `world`, from the returned number on.
@@ -157,18 +137,17 @@ std::uint16_t GltfDeformation::firstJointOf(int skinNumber, const glm::dmat4& wo
         if (use.skin == skinNumber && use.world == world)
             return use.firstJoint;
     const tinygltf::Skin& skin = m_model.skins[std::size_t(skinNumber)];
-    const auto first = std::uint16_t(m_raw.deformation.joints.size());
+    const auto first = std::uint16_t(m_joints.size());
     const std::vector<glm::dmat4> bind = bindMatrices(skin);
-    for (std::size_t j = 0; j < skin.joints.size() && m_raw.deformation.joints.size() < kMostJoints; ++j) {
-        const int node = skin.joints[j];
+    for (std::size_t j = 0; j < skin.joints.size() && m_joints.size() < kMostJoints; ++j) {
         Joint joint;
-        joint.node = node >= 0 && std::size_t(node) < m_nodeNumbers.size() ? m_nodeNumbers[std::size_t(node)] : -1;
+        joint.node = m_nodes.numberOf(skin.joints[j]);
         const bool hasMatrix = j < bind.size();
         const glm::dmat4 meshToJoint = hasMatrix ? bind[j] : glm::dmat4(1.0);
         const bool isSound = isFinite(glm::mat4(meshToJoint));
         m_missingJoints += joint.node < 0 || !isSound || (skin.inverseBindMatrices >= 0 && !hasMatrix);
         joint.fromMesh = (isSound ? meshToJoint : glm::dmat4(1.0)) * *inverseOf(world);
-        m_raw.deformation.joints.push_back(joint);
+        m_joints.push_back(joint);
     }
     m_skins.push_back({skinNumber, world, first});
     return first;
@@ -187,7 +166,7 @@ Expected<void> GltfDeformation::addInfluences(const tinygltf::Primitive& primiti
         }
     }
     const std::uint16_t first = firstJointOf(skin, world);
-    const std::size_t known = std::min(m_model.skins[std::size_t(skin)].joints.size(), m_raw.deformation.joints.size() - first);
+    const std::size_t known = std::min(m_model.skins[std::size_t(skin)].joints.size(), m_joints.size() - first);
     std::vector<Pull> pulls;
     for (std::size_t i = 0; i < count; ++i) {
         pulls.clear();
@@ -205,73 +184,9 @@ Expected<void> GltfDeformation::addInfluences(const tinygltf::Primitive& primiti
         m_manyInfluences += pulls.size() > 4;
         const std::optional<Influence> influence = strongest(pulls);
         m_oddWeights += !influence || std::abs(sum - 1.f) > 0.01f;
-        m_raw.deformation.influences.push_back(influence.value_or(Influence()));
+        m_influences.push_back(influence.value_or(Influence()));
     }
     return {};
-}
-
-Expected<void> GltfDeformation::addTargets(
-    const tinygltf::Primitive& primitive, int node, const glm::dmat4& world, std::size_t first, const RawMesh& raw)
-{
-    const glm::mat3 linear(world);
-    const Directions directions = directionsOf(world);
-    const std::size_t count = raw.positions.size() - first;
-    const bool hasNormals = raw.normals.size() >= count && !raw.corners.empty() && raw.corners.back().normal != RawMesh::kNone;
-    for (std::size_t t = 0; node >= 0 && t < primitive.targets.size(); ++t) {
-        // Whole targets are left out, here and in cutTargets(): the bound only falls while vertices are added.
-        if (const auto known = m_targets.find({node, t});
-            (known == m_targets.end() ? m_raw.deformation.targets.size() : known->second) >= mostTargets(raw.positions.size())) {
-            m_raw.isCut = true;
-            continue;
-        }
-        const Expected<std::vector<float>> positions = readAttribute(m_model, primitive.targets[t], "POSITION", 3, count, m_where),
-                                           normals = readAttribute(m_model, primitive.targets[t], "NORMAL", 3, count, m_where);
-        for (const auto* read : {&positions, &normals})
-            if (!*read)
-                return tl::unexpected(read->error());
-        RawDeformation::Piece piece;
-        piece.first = first;
-        piece.positions.assign(count, glm::vec3(0.f));
-        for (std::size_t i = 0; i < count && !positions->empty(); ++i)
-            if (const glm::vec3 moved = linear * tripleAt(*positions, i); isSmall(moved))
-                piece.positions[i] = moved;
-        if (hasNormals && !normals->empty()) {
-            piece.normals.assign(count, glm::vec3(0.f));
-            for (std::size_t i = 0; i < count; ++i) {
-                // raw.normals are directions.normals * normal, of any length: so is the difference, before both are made unit.
-                const glm::vec3 from = raw.normals[raw.normals.size() - count + i], to = from + directions.normals * tripleAt(*normals, i);
-                if (isSmall(to) && glm::length(from) > 1e-20f && glm::length(to) > 1e-20f)
-                    piece.normals[i] = glm::normalize(to) - glm::normalize(from);
-            }
-        }
-        piece.target = targetOf(node, t);
-        m_raw.pieces.push_back(std::move(piece));
-        m_heldDeltas += count;
-    }
-    if (m_heldDeltas > 2 * kMostDeltas) { // what was within the bound when it came may lie beyond it now
-        cutTargets(m_raw, raw.positions.size());
-        m_heldDeltas = 0;
-        for (const RawDeformation::Piece& piece : m_raw.pieces)
-            m_heldDeltas += piece.positions.size();
-    }
-    return {};
-}
-
-// The number of target `t` of the node's mesh; made when it is the first primitive that has it.
-std::size_t GltfDeformation::targetOf(int node, std::size_t t)
-{
-    const auto [found, isNew] = m_targets.try_emplace({node, t}, m_raw.deformation.targets.size());
-    if (!isNew)
-        return found->second;
-    const tinygltf::Node& owner = m_model.nodes[std::size_t(node)];
-    const std::vector<double>& rest = !owner.weights.empty() ? owner.weights : m_model.meshes[std::size_t(owner.mesh)].weights;
-    MorphTarget target;
-    target.name = targetName(m_model.meshes[std::size_t(owner.mesh)], t);
-    target.node = m_nodeNumbers[std::size_t(node)];
-    if (t < rest.size() && std::abs(rest[t]) < 1e6)
-        target.restWeight = float(rest[t]);
-    m_raw.deformation.targets.push_back(std::move(target));
-    return found->second;
 }
 
 std::optional<RawDeformation> GltfDeformation::finished(Warnings& warnings)
@@ -284,16 +199,20 @@ std::optional<RawDeformation> GltfDeformation::finished(Warnings& warnings)
         {m_missingJoints, "skin-joints", " joints or bind matrices of the skeleton are missing; what they pull stands still."},
         {m_oddWeights, "skin-weights", " vertices have skin weights that do not sum to 1; they were scaled."},
         {m_manyInfluences, "skin-influences", " vertices follow more than four joints; the strongest four count."},
-        {m_brokenChannels, "animation-channels", " animation channels are broken and were left out."},
-        {m_unsorted, "animation-times", " animation channels have keys that are not in the order of time; they were sorted."},
+        {m_clips.broken, "animation-channels", " animation channels are broken and were left out."},
+        {m_clips.unsorted, "animation-times", " animation channels have keys that are not in the order of time; they were sorted."},
     };
     for (const Row& row : rows)
         if (row.count > 0)
             warnings.push_back({row.code, std::to_string(row.count) + row.text});
-    cutTargets(m_raw, m_raw.deformation.influences.size());
-    if (m_raw.deformation.clips.empty() && m_raw.pieces.empty() && m_skins.empty() && !m_raw.isCut)
+    RawDeformation raw = m_targets.finished(m_influences.size());
+    if (m_clips.clips.empty() && raw.pieces.empty() && m_skins.empty() && !raw.isCut)
         return std::nullopt;
-    return std::move(m_raw);
+    raw.deformation.influences = std::move(m_influences);
+    raw.deformation.joints = std::move(m_joints);
+    raw.deformation.nodes = std::move(m_nodes.nodes);
+    raw.deformation.clips = std::move(m_clips.clips);
+    return raw;
 }
 
 } // namespace relievo

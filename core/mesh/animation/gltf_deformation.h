@@ -1,20 +1,19 @@
-// What moves in a glTF file: skins, morph targets, the node hierarchy and its animations.
+// What moves in a glTF file: its skins, together with nodes, animations and morph targets.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/mesh/readers/raw_mesh.h"
+#include "core/mesh/animation/gltf_animation.h"
+#include "core/mesh/animation/gltf_targets.h"
 #include <map>
-#include <tiny_gltf.h>
 
 namespace relievo {
-
-// A glTF node as a pose begins from it; transforms that are not finite stand still.
-PoseNode poseNodeOf(const tinygltf::Node& node);
 
 // Collects while a scene is gathered.
 class GltfDeformation {
 public:
     GltfDeformation(const tinygltf::Model& model, std::string where);
+    GltfDeformation(const GltfDeformation&) = delete; // m_targets knows m_nodes
+    GltfDeformation& operator=(const GltfDeformation&) = delete;
 
     // Where a primitive of `node` (-1: none), whose world matrix is `world`, is to be stored: there, but when it has a skin not far from
     // where that holds it.
@@ -31,25 +30,19 @@ public:
     std::optional<RawDeformation> finished(Warnings& warnings);
 
 private:
-    void orderNodes();
-    void readClips();
-    std::optional<AnimationChannel> channelOf(const tinygltf::Animation& animation, const tinygltf::AnimationChannel& from);
-    std::size_t targetCount(int node) const;
-    std::size_t targetOf(int node, std::size_t t);
     std::optional<int> skinOf(const tinygltf::Primitive& primitive, int node, const glm::dmat4& world) const;
     std::vector<glm::dmat4> bindMatrices(const tinygltf::Skin& skin) const;
     std::uint16_t rigidJoint(int node, const glm::dmat4& world);
     std::uint16_t firstJointOf(int skin, const glm::dmat4& world);
     Expected<void> addInfluences(const tinygltf::Primitive& primitive, int skin, const glm::dmat4& world, std::size_t count);
-    Expected<void> addTargets(
-        const tinygltf::Primitive& primitive, int node, const glm::dmat4& world, std::size_t first, const RawMesh& raw);
 
     const tinygltf::Model& m_model;
     std::string m_where;
-    RawDeformation m_raw;
-    std::vector<int> m_nodeNumbers; // of each node of the file in Deformation::nodes; -1: it is part of a circle
-    std::vector<glm::dmat4> m_rest; // by number: world matrices of the nodes at rest
-    std::vector<bool> m_animated; // by number: the node or one above it has an animated place
+    GltfNodes m_nodes;
+    GltfClips m_clips;
+    GltfTargets m_targets;
+    std::vector<Influence> m_influences; // one for each of RawMesh::positions
+    std::vector<Joint> m_joints{Joint()};
     struct SkinUse {
         int skin;
         glm::dmat4 world;
@@ -57,9 +50,7 @@ private:
     };
     std::vector<SkinUse> m_skins;
     std::map<int, glm::dvec3> m_skinPlaces; // where the first joint of each skin holds its mesh's origin at rest
-    std::map<std::pair<int, std::size_t>, std::size_t> m_targets; // by node and number there, in Deformation::targets
-    std::size_t m_missingJoints = 0, m_oddWeights = 0, m_manyInfluences = 0, m_brokenChannels = 0, m_unsorted = 0;
-    std::size_t m_heldDeltas = 0; // of m_raw.pieces
+    std::size_t m_missingJoints = 0, m_oddWeights = 0, m_manyInfluences = 0;
 };
 
 } // namespace relievo
