@@ -126,25 +126,36 @@ float nailAt(glm::vec2 p, glm::vec2 at)
 {
     return 1.f - smooth(0.0052f, 0.0068f, glm::length(p - at));
 }
-} // namespace
 
-Point planks(glm::vec2 uv)
+constexpr int kBoardRows = 6;
+
+// A board at a point of its own frame, which begins in its middle; tile = 1.
+struct BoardPoint {
+    std::uint32_t id;
+    float length, along, across;
+};
+BoardPoint boardAt(glm::vec2 uv)
 {
-    constexpr int kRows = 6;
-    constexpr float kWidth = 1.f / kRows;
-    constexpr glm::ivec2 kFree(509); // boards end at joints: their noise need not repeat
     const glm::vec2 p = uv + glm::vec2(0.f, 0.0012f * fractal(uv, 4, 2, 61));
-    const int row = wrapIndex(floorOf(p.y * kRows), kRows, Wrap::Repeat);
-    const float across = (p.y * kRows - std::floor(p.y * kRows) - 0.5f) * kWidth;
+    const int row = wrapIndex(floorOf(p.y * kBoardRows), kBoardRows, Wrap::Repeat);
+    const float across = (p.y * kBoardRows - std::floor(p.y * kBoardRows) - 0.5f) * (1.f / kBoardRows);
     // Two boards a row; joints are spread so that neighbours never line up.
-    const float start = float((row * 5) % kRows) / float(kRows) * 0.5f + 0.11f * randomOf(row, 0, 62);
+    const float start = float((row * 5) % kBoardRows) / float(kBoardRows) * 0.5f + 0.11f * randomOf(row, 0, 62);
     const float split = 0.52f + 0.16f * (randomOf(row, 1, 62) - 0.5f);
     float along = uv.x - start;
     along -= std::floor(along);
     const bool second = along > split;
     const float length = second ? 1.f - split : split;
     along = (second ? along - split : along) - 0.5f * length;
-    const std::uint32_t id = hashOf(row, second, 63);
+    return {hashOf(row, second, 63), length, along, across};
+}
+} // namespace
+
+Point planks(glm::vec2 uv)
+{
+    constexpr float kWidth = 1.f / kBoardRows;
+    constexpr glm::ivec2 kFree(509); // boards end at joints: their noise need not repeat
+    const auto [id, length, along, across] = boardAt(uv);
     const glm::vec2 local(along, across);
     const glm::vec2 far = local + glm::vec2(2.f + 9.f * randomOf(id, 1), 2.f); // positive and different on every board
 
