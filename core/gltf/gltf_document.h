@@ -17,9 +17,6 @@ struct GltfDocument {
 };
 Expected<GltfDocument> loadGltf(const std::filesystem::path& file);
 
-// "a%20b" is "a b".
-std::string percentDecoded(const std::string& uri);
-
 // Whether the picture is in the file itself (base64 data of any media type) or in one of its buffers.
 bool holdsPicture(const tinygltf::Model& model, const tinygltf::Image& image);
 

@@ -4,6 +4,7 @@
 #include "core/mesh/readers/gltf_materials.h"
 #include "core/gltf/gltf_document.h"
 #include "core/gltf/gltf_extensions.h"
+#include "core/gltf/gltf_uri.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
 #include "core/state/parameters.h"
