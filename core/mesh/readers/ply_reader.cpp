@@ -6,179 +6,15 @@
 // minutes on damaged counts. Every count is checked against the bytes that are left before anything is allocated.
 #include "core/ground/file.h"
 #include "core/ground/text_cursor.h"
+#include "core/mesh/readers/ply_values.h"
 #include "core/mesh/readers/raw_mesh.h"
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace relievo {
 
 namespace {
 using Corner = RawMesh::Corner;
-
-enum class Type { I8, U8, I16, U16, I32, U32, F32, F64 };
-struct TypeRow {
-    std::string_view name;
-    Type type;
-};
-constexpr TypeRow kTypes[] = {{"char", Type::I8}, {"int8", Type::I8}, {"uchar", Type::U8}, {"uint8", Type::U8}, {"short", Type::I16},
-    {"int16", Type::I16}, {"ushort", Type::U16}, {"uint16", Type::U16}, {"int", Type::I32}, {"int32", Type::I32}, {"uint", Type::U32},
-    {"uint32", Type::U32}, {"float", Type::F32}, {"float32", Type::F32}, {"double", Type::F64}, {"float64", Type::F64}};
-constexpr std::size_t kTypeBytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-
-std::optional<Type> typeNamed(std::string_view name)
-{
-    for (const TypeRow& row : kTypes)
-        if (row.name == name)
-            return row.type;
-    return std::nullopt;
-}
-
-struct Property {
-    std::string name;
-    Type type = Type::F32;
-    std::optional<Type> countType; // of a list
-};
-struct Element {
-    std::string name;
-    std::size_t count = 0;
-    std::vector<Property> properties;
-};
-struct Header {
-    enum class Format { Text, Little, Big } format = Format::Text;
-    std::vector<Element> elements;
-    std::size_t bytes = 0; // where the data begin
-};
-
-Expected<Header> parseHeader(std::string_view text, const std::string& where)
-{
-    const auto damaged
-        = [&where](std::string what) { return failure(ErrorCode::Unreadable, where, std::move(what), "Export the file again"); };
-    TextCursor lines(text);
-    Header header;
-    bool hasFormat = false;
-    if (TextCursor(lines.line().value_or("")).word() != "ply")
-        return damaged("this is no PLY file: its first line is not \"ply\"");
-    while (const std::optional<std::string_view> line = lines.line()) {
-        TextCursor words(*line);
-        const std::string_view keyword = words.word();
-        if (keyword == "end_header") {
-            header.bytes = text.size() - lines.rest().size();
-            return hasFormat ? Expected<Header>(header) : damaged("the header does not name the format");
-        }
-        if (keyword == "format") {
-            const std::string_view name = words.word();
-            hasFormat = name == "ascii" || name == "binary_little_endian" || name == "binary_big_endian";
-            if (!hasFormat)
-                return damaged("the header names an unknown format");
-            header.format = name == "ascii"       ? Header::Format::Text
-                : name.ends_with("little_endian") ? Header::Format::Little
-                                                  : Header::Format::Big;
-        } else if (keyword == "element") {
-            const std::string name(words.word());
-            const std::optional<long long> count = integerOf(words.word());
-            if (!count || *count < 0)
-                return damaged("the header does not count the element \"" + name + '"');
-            header.elements.push_back({name, std::size_t(*count), {}});
-        } else if (keyword == "property") {
-            std::string_view type = words.word();
-            Property property;
-            if (type == "list") {
-                property.countType = typeNamed(words.word());
-                type = words.word();
-                if (!property.countType || *property.countType >= Type::F32)
-                    return damaged("a list in the header has no type of count that is known");
-            }
-            const std::optional<Type> known = typeNamed(type);
-            if (!known || header.elements.empty())
-                return damaged("the header holds a property of unknown type");
-            property.type = *known;
-            property.name = words.word();
-            header.elements.back().properties.push_back(std::move(property));
-        }
-    }
-    return damaged("the header does not end");
-}
-
-// The numbers of the file one after the other, never beyond its end.
-class Values {
-public:
-    Values(std::string_view data, Header::Format format)
-        : m_text(format == Header::Format::Text ? data : std::string_view())
-        , m_bytes(data)
-        , m_format(format)
-    {
-    }
-
-    bool failed() const { return m_failed; }
-    std::size_t cutNumbers() const { return m_cut; }
-    // No number takes less than a byte.
-    std::size_t left() const { return m_format == Header::Format::Text ? m_text.rest().size() : m_bytes.size(); }
-
-    // Text: one element a line. What a writer adds at its end (there are some that do) is passed over.
-    void endElement() { m_text.line(); }
-
-    double next(Type type)
-    {
-        if (m_format == Header::Format::Text) {
-            const std::string_view word = m_text.word();
-            m_failed |= word.empty();
-            if (type >= Type::F32)
-                return doubleOf(word, m_cut);
-            const std::optional<long long> whole = integerOf(word);
-            return whole ? double(*whole) : double(floatOf(word)); // some writers print counts as 3.0
-        }
-        const std::size_t size = kTypeBytes[std::size_t(type)];
-        if (m_bytes.size() < size) {
-            m_failed = true;
-            m_bytes = {};
-            return 0;
-        }
-        char raw[8] = {};
-        std::copy_n(m_bytes.data(), size, raw);
-        m_bytes.remove_prefix(size);
-        if ((m_format == Header::Format::Big) != (std::endian::native == std::endian::big))
-            std::reverse(raw, raw + size);
-        return decoded(raw, type);
-    }
-
-private:
-    template <class T> static double as(const char* raw)
-    {
-        T value;
-        std::memcpy(&value, raw, sizeof value);
-        return double(value);
-    }
-    static double decoded(const char* raw, Type type)
-    {
-        switch (type) {
-        case Type::I8:
-            return as<std::int8_t>(raw);
-        case Type::U8:
-            return as<std::uint8_t>(raw);
-        case Type::I16:
-            return as<std::int16_t>(raw);
-        case Type::U16:
-            return as<std::uint16_t>(raw);
-        case Type::I32:
-            return as<std::int32_t>(raw);
-        case Type::U32:
-            return as<std::uint32_t>(raw);
-        case Type::F32:
-            return as<float>(raw);
-        case Type::F64:
-            break;
-        }
-        return as<double>(raw);
-    }
-
-    TextCursor m_text;
-    std::string_view m_bytes;
-    Header::Format m_format;
-    bool m_failed = false;
-    std::size_t m_cut = 0; // numbers of the text with something behind them
-};
 
 float narrowed(double value)
 {
@@ -201,16 +37,16 @@ std::optional<std::size_t> slotOf(std::string_view name)
 
 class PlyParser {
 public:
-    PlyParser(std::string where, std::string_view data, const Header& header, const Progress& progress)
+    PlyParser(std::string where, std::string_view data, const PlyHeader& header, const Progress& progress)
         : m_where(std::move(where))
         , m_values(data, header.format)
         , m_progress(progress)
     {
     }
 
-    Expected<RawMesh> parse(const Header& header)
+    Expected<RawMesh> parse(const PlyHeader& header)
     {
-        for (const Element& element : header.elements) {
+        for (const PlyElement& element : header.elements) {
             if (element.count > m_values.left() && !element.properties.empty())
                 return damaged(
                     "the header promises " + std::to_string(element.count) + " of \"" + element.name + "\", more than the file can hold");
@@ -234,7 +70,7 @@ private:
         return failure(ErrorCode::Unreadable, m_where, std::move(what), "Export the file again");
     }
 
-    Expected<void> checkpoint(const Element& element, std::size_t i)
+    Expected<void> checkpoint(const PlyElement& element, std::size_t i)
     {
         if (m_values.failed())
             return damaged("the data end in \"" + element.name + "\" " + std::to_string(i) + " of " + std::to_string(element.count));
@@ -244,7 +80,7 @@ private:
     }
 
     // The numbers of one list; nothing when its count cannot be true.
-    std::optional<std::vector<double>> list(const Property& property)
+    std::optional<std::vector<double>> list(const PlyProperty& property)
     {
         const double count = m_values.next(*property.countType);
         if (!(count >= 0) || count > double(m_values.left()))
@@ -255,19 +91,19 @@ private:
         return numbers;
     }
 
-    tl::unexpected<Error> longList(const Element& element, std::size_t i) const
+    tl::unexpected<Error> longList(const PlyElement& element, std::size_t i) const
     {
         return damaged("a list of \"" + element.name + "\" " + std::to_string(i) + " claims more numbers than the file can hold");
     }
 
-    Expected<void> readVertices(const Element& element)
+    Expected<void> readVertices(const PlyElement& element)
     {
         if (m_hasVertices)
             return damaged("the header declares the vertices twice");
         m_hasVertices = true;
         std::array<bool, 8> present{};
         std::vector<std::optional<std::size_t>> slots;
-        for (const Property& property : element.properties) {
+        for (const PlyProperty& property : element.properties) {
             slots.push_back(property.countType ? std::nullopt : slotOf(property.name));
             if (slots.back())
                 present[*slots.back()] = true;
@@ -299,12 +135,12 @@ private:
     }
 
     // Faces, strips, and whatever else, whose numbers are passed over.
-    Expected<void> readFaces(const Element& element)
+    Expected<void> readFaces(const PlyElement& element)
     {
         const bool strips = element.name == "tristrips", faces = element.name == "face" || strips;
         for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
             std::vector<double> indices, uvs;
-            for (const Property& property : element.properties) {
+            for (const PlyProperty& property : element.properties) {
                 if (!property.countType) {
                     m_values.next(property.type);
                     continue;
@@ -362,7 +198,7 @@ private:
     }
 
     std::string m_where;
-    Values m_values;
+    PlyValues m_values;
     const Progress& m_progress;
     RawMesh m_raw;
     std::vector<Corner> m_polygon;
@@ -375,7 +211,7 @@ Expected<RawMesh> readPly(const std::filesystem::path& file, const Progress& pro
     const Expected<std::string> text = readText(file);
     if (!text)
         return tl::unexpected(text.error());
-    const Expected<Header> header = parseHeader(*text, file.string());
+    const Expected<PlyHeader> header = parsePlyHeader(*text, file.string());
     if (!header)
         return tl::unexpected(header.error());
     return PlyParser(file.string(), std::string_view(*text).substr(header->bytes), *header, progress).parse(*header);
