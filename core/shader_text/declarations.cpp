@@ -61,7 +61,7 @@ std::string uniformDeclarations(const std::string& text)
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
     declare("samplerBuffer", "borderMap");
-    declare("samplerBuffer", "prismMap"); // see sight/prisms.glsl
+    declare("samplerBuffer", "prismMap"); // see view_ray/prisms.glsl
     declare("float", "firstTriangle"); // that is drawn, of those in these maps
     declare("samplerCube", "environmentMap");
     declare("sampler2D", "exactMap"); // distances of the displaced mesh, m; negative: unknown

@@ -109,7 +109,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         part.file(features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
     };
     Assembly draft(read);
-    draft.file("sight/holes_cut.glsl");
+    draft.file("view_ray/holes_cut.glsl");
     body(draft);
     const auto drafted = draft.finish();
     if (!drafted)
@@ -123,11 +123,11 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     part.generated(mapFunctions(features.maps, drafted->text));
     searchFiles(part, *technique, *view, features);
     if (features.curved && !features.prisms)
-        part.file(features.borders ? "sight/borders_cut.glsl" : "sight/borders_none.glsl");
-    part.file(!features.curved    ? "sight/sight_straight.glsl"
-                : features.prisms ? "sight/sight_prisms.glsl"
-                                  : "sight/sight_curved.glsl")
-        .file(view->showsHoles ? "sight/holes_shown.glsl" : "sight/holes_cut.glsl");
+        part.file(features.borders ? "view_ray/borders_cut.glsl" : "view_ray/borders_none.glsl");
+    part.file(!features.curved    ? "view_ray/view_ray_straight.glsl"
+                : features.prisms ? "view_ray/view_ray_prisms.glsl"
+                                  : "view_ray/view_ray_curved.glsl")
+        .file(view->showsHoles ? "view_ray/holes_shown.glsl" : "view_ray/holes_cut.glsl");
     body(part);
     if (view->isHeat)
         part.file("output/heat.glsl")

@@ -37,7 +37,7 @@ void vectorAttribute(GLuint location, const Buffer& buffer)
     glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
 }
 
-// What shaders/sight/borders_cut.glsl reads: first and count of each triangle, then the segments. Nothing for a mesh without borders.
+// What shaders/view_ray/borders_cut.glsl reads: first and count of each triangle, then the segments. Nothing for a mesh without borders.
 std::vector<glm::vec4> borderTexels(const Mesh& mesh)
 {
     GLint limit = 0; // texels
@@ -55,7 +55,7 @@ std::vector<glm::vec4> borderTexels(const Mesh& mesh)
     texels.insert(texels.end(), borders.segments.begin(), borders.segments.end());
     return texels;
 }
-// What shaders/sight/prisms.glsl reads.
+// What shaders/view_ray/prisms.glsl reads.
 constexpr std::size_t kVertexTexels = 5, kTriangleTexels = 2;
 
 std::vector<glm::vec4> prismTexels(const Mesh& mesh, const std::vector<std::uint32_t>& across, std::string_view part)

@@ -12,7 +12,7 @@ void main()
     surface.toEye = normalize(eye - position);
     startSearch(surface.footprint);
     surface.depth = depthSeen(dot(surface.frame.normal, surface.toEye));
-    surface = seen(surface);
+    surface = searched(surface);
     if (isHole(surface))
         discard;
     writeDepth(surface.point);

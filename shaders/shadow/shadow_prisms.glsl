@@ -1,4 +1,4 @@
-// Self-shadow on a mesh as it is: from the point seen the light is followed from prism to prism (sight/prisms.glsl) until it leaves the relief. Each
+// Self-shadow on a mesh as it is: from the point seen the light is followed from prism to prism (view_ray/prisms.glsl) until it leaves the relief. Each
 // passage is searched from its far end, as a view ray from there would be.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT

@@ -7,6 +7,6 @@ float depthDifference(Surface surface)
 {
     if (surface.depth <= 0.0f)
         return 0.0f; // a plain part has no relief to be wrong about
-    float exact = exactDepth(sightRay(surface.start, surface.toEye, surface.depth));
+    float exact = exactDepth(viewRay(surface.start, surface.toEye, surface.depth));
     return surface.hit.t - (exact - bendFrom(exact).x);
 }

@@ -99,7 +99,7 @@ TEST(Views, FramesAreMadeBeforeAnythingElse)
                 ASSERT_TRUE(program) << message(program.error());
                 const std::string& text = program->fragment.text;
                 const std::size_t main = text.find("void main()");
-                const std::string body = text.substr(main, text.find("seen(surface)", main) - main);
+                const std::string body = text.substr(main, text.find("searched(surface)", main) - main);
                 const auto count = [](std::string_view in, std::string_view word) {
                     int found = 0;
                     for (std::size_t at = in.find(word); at != in.npos; at = in.find(word, at + 1))

@@ -41,7 +41,7 @@ float wayAt(Ray ray, float c, float w)
 
 // The ray comes to the floor, where it has the depth 1, or passes the circle's middle at less and leaves again. The search sees a parabola
 // that begins with the same slope and ends on the floor where the ray does, or is as deep at its deepest.
-Ray sightRay(Frame frame, vec3 toEye, float depth)
+Ray viewRay(Frame frame, vec3 toEye, float depth)
 {
     Ray ray = rayInto(frame, textureUv, toEye, depth);
     float c = narrowingOf(ray, depth);
@@ -75,9 +75,9 @@ Frame carried(Frame frame, vec2 duv)
 }
 
 // What the pixel sees: fills hit, point, and the frame there.
-Surface seen(Surface surface)
+Surface searched(Surface surface)
 {
-    Ray ray = sightRay(surface.frame, surface.toEye, surface.depth);
+    Ray ray = viewRay(surface.frame, surface.toEye, surface.depth);
     surface.hit = trace(ray);
     surface.point = position - surface.toEye * (surface.depth / ray.cosView * wayAt(ray, narrowing, stretch * surface.hit.t));
     surface.hit.t -= bendFrom(surface.hit.t).x;

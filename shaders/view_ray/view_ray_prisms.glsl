@@ -1,15 +1,15 @@
-// Looking at a mesh as it is: in each prism of its shell (sight/prisms.glsl) the view ray is straight in texture space, and it goes from prism
+// Looking at a mesh as it is: in each prism of its shell (view_ray/prisms.glsl) the view ray is straight in texture space, and it goes from prism
 // to prism, over UV seams too, until it hits the relief or leaves it.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "sight/prisms.glsl"
+#include "view_ray/prisms.glsl"
 
 const int kMostPrisms = 512; // a bound on what broken meshes cost; whole ones of half a million triangles keep below it
 const float kUnfinished = 0.75f; // where a search ends that does not come to the floor
 int seenTriangle = 0; // in whose prism the hit lies
 
 // What the pixel sees: fills hit, point, and the frame there.
-Surface seen(Surface surface)
+Surface searched(Surface surface)
 {
     vec3 way = -surface.toEye;
     float depth = gl_FrontFacing ? surface.depth : -surface.depth;

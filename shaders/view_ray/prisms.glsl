@@ -25,7 +25,7 @@ Corner cornerOf(float vertex, float depth)
     return Corner(place.xyz + push, normal.xyz * -depth, textureFromMesh * vec2(place.w, normal.w) + textureShift);
 }
 
-int trianglesStart = 0; // texel; seen() reads it once
+int trianglesStart = 0; // texel; searched() reads it once
 
 struct Prism {
     vec4 vertices; // of its triangle

@@ -1,15 +1,15 @@
 // Looking at a surface taken for flat: the view ray and the ray from the light are straight.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-Ray sightRay(Frame frame, vec3 toEye, float depth)
+Ray viewRay(Frame frame, vec3 toEye, float depth)
 {
     return rayInto(frame, textureUv, toEye, depth);
 }
 
 // What the pixel sees: fills hit and point.
-Surface seen(Surface surface)
+Surface searched(Surface surface)
 {
-    Ray ray = sightRay(surface.frame, surface.toEye, surface.depth);
+    Ray ray = viewRay(surface.frame, surface.toEye, surface.depth);
     surface.hit = trace(ray);
     surface.point = position - surface.toEye * (surface.depth / ray.cosView * surface.hit.t);
     return surface;
