@@ -42,8 +42,7 @@ template <IsChoice E, class T> struct PerChoice {
     constexpr const T& operator[](E choice) const { return values[std::size_t(choice)]; }
     constexpr T& operator[](E choice) { return values[std::size_t(choice)]; }
 };
-template <class E, class T, class... More>
-constexpr PerChoice<E, T> perChoice(T first, More... more)
+template <class E, class T, class... More> constexpr PerChoice<E, T> perChoice(T first, More... more)
 {
     static_assert(1 + sizeof...(More) == kChoices<E>, "one for each value of the choice");
     return {{first, T(more)...}};

@@ -58,7 +58,8 @@ protected:
     }
     QPoint middleOf(int pane)
     {
-        const PaneArea area = paneAreas(int(state().panes.size()), window.viewport().width(), window.viewport().height())[std::size_t(pane)];
+        const PaneArea area
+            = paneAreas(int(state().panes.size()), window.viewport().width(), window.viewport().height())[std::size_t(pane)];
         return {area.x + area.width / 2, area.y + area.height / 2};
     }
 };

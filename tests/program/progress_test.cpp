@@ -33,7 +33,8 @@ TEST(Progress, GoesFromNothingToAllOnceInEveryCommand)
              "render " + set + "--mesh sphere --views shaded,error,depth --size 32x24 -o " + folder / "a.exr",
              "trace " + set + "--technique cone --rays " + folder / "rays.csv" + " -o " + folder / "hits.csv",
              "bake " + set + "--map cone -o " + folder / "cone.png", "export " + set + "--target textures -o " + folder / "out",
-             "export " + set + "--target gltf -o " + folder / "x.glb", "compare " + set + "--techniques relief,bump -o " + folder / "sheet.png",
+             "export " + set + "--target gltf -o " + folder / "x.glb",
+             "compare " + set + "--techniques relief,bump -o " + folder / "sheet.png",
              "report " + set + "--techniques relief --no-pictures --rays 50 -o " + folder / "r.json",
              "tune " + set + "--max-error 0.1 --techniques relief --rays 50"}) {
         const ProgramRun run = runRelievo(command + " --progress");

@@ -73,8 +73,8 @@ TEST(Invalid, NoPixelIsNoNumber)
         for (const Frames frames : {Frames::Vertex, Frames::Derivatives, Frames::Thesis}) {
             State state = stateOn(mesh);
             Parameters& p = state.parameters;
-            p.frames = frames, p.silhouettes = frames == Frames::Vertex ? Silhouettes::Prisms : Silhouettes::Quadric, p.depthOfHit = p.objectShadows = p.shadows = true,
-            p.edgeFade = frames == Frames::Derivatives ? 0.3f : 0.f;
+            p.frames = frames, p.silhouettes = frames == Frames::Vertex ? Silhouettes::Prisms : Silhouettes::Quadric,
+            p.depthOfHit = p.objectShadows = p.shadows = true, p.edgeFade = frames == Frames::Derivatives ? 0.3f : 0.f;
             Resources resources = resourcesOf(state);
             const Image invalid = picture(renderer, state, resources, "invalid", 96, 72);
             for (int y = 0; y < invalid.height; ++y)

@@ -25,7 +25,8 @@ TEST(Limits, APictureThatDoesNotFitIsToldAndASmallerOneDrawn)
         ASSERT_FALSE(made);
         EXPECT_NE(message(made.error()).find(std::to_string(limit + 1) + "x16"), std::string::npos) << message(made.error());
     }
-    const auto drawn = renderer.draw({state, 0, resources, {.framebuffer = framebuffer.handle(), .width = limit + 1, .height = 16}, "color"});
+    const auto drawn
+        = renderer.draw({state, 0, resources, {.framebuffer = framebuffer.handle(), .width = limit + 1, .height = 16}, "color"});
     ASSERT_FALSE(drawn);
     EXPECT_FALSE(drawn.error().hint.empty());
     EXPECT_TRUE(framebuffer.resize(32, 16));
@@ -127,7 +128,8 @@ TEST(Limits, WiresAreNoError)
             real(width);
             error = glGetError();
         };
-        EXPECT_TRUE(renderer.draw({state, 0, resources, {.framebuffer = framebuffer.handle(), .width = 32, .height = 32, .lineWidth = 2.f}, "color"}));
+        EXPECT_TRUE(renderer.draw(
+            {state, 0, resources, {.framebuffer = framebuffer.handle(), .width = 32, .height = 32, .lineWidth = 2.f}, "color"}));
         epoxy_glLineWidth = real;
         EXPECT_EQ(error, GLenum(GL_NO_ERROR));
     }

@@ -47,7 +47,8 @@ public:
         GLuint query = 0, count = 0;
         glGenQueries(1, &query);
         glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-        const auto drawn = m_renderer.draw({state, pane, resources, {.framebuffer = m_framebuffer.handle(), .width = 96, .height = 72}, "shaded"});
+        const auto drawn
+            = m_renderer.draw({state, pane, resources, {.framebuffer = m_framebuffer.handle(), .width = 96, .height = 72}, "shaded"});
         EXPECT_TRUE(drawn) << (drawn ? "" : message(drawn.error()));
         glEndQuery(GL_PRIMITIVES_GENERATED);
         glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);

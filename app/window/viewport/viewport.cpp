@@ -58,6 +58,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
 
 Viewport::~Viewport()
 {
+    delete m_navigator; // the focus that is lost at the end is no gesture any more
     makeCurrent();
     m_pictures.reset();
     doneCurrent();

@@ -73,7 +73,7 @@ TEST_F(SecondRequest, AMapThatWasPutOffIsMadeAfterTheEdit)
     drop(mapRow("color"), writeImage("a_color.png"));
     settle();
     EXPECT_EQ(color(), file("a_color.png").toStdString());
-    EXPECT_TRUE(missingBounds(state(), assets().resources()).empty());
+    EXPECT_TRUE(missingMaps().empty());
     EXPECT_TRUE(window.messages().all().isEmpty()) << window.messageLine().text().toStdString();
 }
 

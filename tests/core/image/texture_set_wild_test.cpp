@@ -20,8 +20,7 @@ std::string mapsOf(const Expected<TextureSet>& set)
         return message(set.error());
     std::string text;
     for (const FoundMap& map : set->maps)
-        text += std::string(row(map.kind).key) + " " + map.file.filename().string() + " "
-            + std::string(wordOf(map.channel)) + "\n";
+        text += std::string(row(map.kind).key) + " " + map.file.filename().string() + " " + std::string(wordOf(map.channel)) + "\n";
     return text;
 }
 

@@ -99,8 +99,8 @@ TEST(Parameters, EveryValueReadsBackFromItsText)
     for (const ParameterRow& row : kParameters)
         for (int i = 0; i < 200; ++i) {
             std::uniform_real_distribution<float> spread(row.min, row.max);
-            const Value samples[]
-                = {spread(random), int(spread(random)), spread(random) > 0.5f, glm::vec3(spread(random), spread(random), spread(random)), int(spread(random))};
+            const Value samples[] = {spread(random), int(spread(random)), spread(random) > 0.5f,
+                glm::vec3(spread(random), spread(random), spread(random)), int(spread(random))};
             const Value& value = samples[std::size_t(kindOf(row))];
             const auto back = parseValue(row, toText(row, value));
             ASSERT_TRUE(back) << row.key << ' ' << toText(row, value);

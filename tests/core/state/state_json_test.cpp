@@ -250,7 +250,7 @@ TEST(StateJson, MutatedFilesNeverCrash)
             for (const ParameterRow& row : kParameters)
                 EXPECT_TRUE(inRange(row, get(read->state.parameters, row))) << row.key;
             EXPECT_GE(read->state.panes.size(), 1u);
-            EXPECT_LE(read->state.panes.size(), 2u);
+            EXPECT_LE(read->state.panes.size(), kMaxPanes);
         }
     }
 }

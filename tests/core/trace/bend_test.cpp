@@ -46,8 +46,8 @@ HeightField noise(std::mt19937& random, bool smooth)
     return {size, size, heights, random() % 4 ? Wrap::Repeat : Wrap::Clamp, 32};
 }
 
-// As sight/sight_curved.glsl bends rays: of sight over a surface whose fall is k t^2 (convex rays that leave, rays that come to the floor,
-// hollows), and of light that comes in over the rim of a hollow, begins below the top and sinks after its highest point.
+// As view_ray/view_ray_curved.glsl bends rays: view rays over a surface whose fall is k t^2 (convex rays that leave, rays that come to the
+// floor, hollows), and of light that comes in over the rim of a hollow, begins below the top and sinks after its highest point.
 SearchRay bentRay(std::mt19937& random)
 {
     std::uniform_real_distribution<double> unit(-1., 1.);
