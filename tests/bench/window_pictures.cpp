@@ -51,6 +51,17 @@ void twoPanes(MainWindow& window)
     });
 }
 
+// As a file may have them: views and techniques of their own, the last one unlinked.
+void sixPanes(MainWindow& window)
+{
+    State state = window.document().state();
+    state.mesh = "sphere";
+    state.panes = {Pane{"relief"}, Pane{"cell-cone"}, Pane{"parallax"}, Pane{"relief", {}, "fetches"}, Pane{"relief", {}, "error"},
+        Pane{"relief", {}, "normal"}};
+    state.panes.back().camera.emplace().yaw = 120.f;
+    window.assets().openState(state, {});
+}
+
 // A plain outline beside that of prisms, seen from near.
 void outlines(MainWindow& window)
 {
@@ -82,6 +93,7 @@ const Scene kScenes[] = {
             twoPanes(window);
             window.setView("error");
         }},
+    {"six", {1600, 1000}, Look::Dark, sixPanes},
     {"outlines", {1600, 1000}, Look::Dark, outlines},
     {"outlines-error", {1600, 1000}, Look::Dark,
         [](MainWindow& window) {
