@@ -110,6 +110,11 @@ TEST_F(PanesTest, AnUnlinkedPaneMovesAlone)
     EXPECT_NE(state().panes[1].light->yaw, 0.f);
     EXPECT_EQ(state().parameters.lightYaw, Parameters().lightYaw);
     EXPECT_EQ(steps(), 1);
+    window.action("reset-camera")->trigger(); // of the pane that was pressed last
+    EXPECT_EQ(*state().panes[1].camera, Camera{});
+    const Camera still = state().camera;
+    window.action("frame")->trigger();
+    EXPECT_EQ(state().camera, still);
     const Camera later = *state().panes[1].camera;
     window.action("undo")->trigger();
     EXPECT_EQ(state().panes[1].light->yaw, 0.f);

@@ -3,12 +3,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/gl_calls.h"
 #include <epoxy/gl.h>
+#include <string>
 
 namespace relievo {
 
-int openGLVersion()
+Expected<void> openGLSuffices()
 {
-    return epoxy_gl_version();
+    const int version = epoxy_gl_version();
+    if (version >= 41)
+        return {};
+    return failure(ErrorCode::Driver, "OpenGL " + std::to_string(version / 10) + '.' + std::to_string(version % 10), "OpenGL 4.1 is needed",
+        "Update the graphics driver");
 }
 
 void clearTo(unsigned framebuffer, float red, float green, float blue)

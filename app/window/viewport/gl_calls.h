@@ -8,7 +8,7 @@
 namespace relievo {
 
 // All need a current context; afterwards the named framebuffer is bound.
-int openGLVersion(); // 41 for 4.1
+Expected<void> openGLSuffices(); // else says what was found and what is needed
 void clearTo(unsigned framebuffer, float red, float green, float blue);
 void finishDrawing(); // waits until everything is drawn
 // Scales `from` to a rectangle of `framebuffer`, y up from below.

@@ -34,11 +34,11 @@ std::vector<PaneArea> paneAreas(int count, int width, int height)
     return areas;
 }
 
-std::optional<std::size_t> paneAt(const std::vector<PaneArea>& areas, double x, double y)
+std::optional<std::size_t> paneAt(const std::vector<PaneArea>& areas, QPointF point)
 {
     for (std::size_t i = 0; i < areas.size(); ++i) {
         const PaneArea& area = areas[i];
-        if (x >= area.x && x < area.x + area.width && y >= area.y && y < area.y + area.height)
+        if (point.x() >= area.x && point.x() < area.x + area.width && point.y() >= area.y && point.y() < area.y + area.height)
             return i;
     }
     return {};

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <QPointF>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -18,6 +19,6 @@ struct PaneArea {
 std::vector<PaneArea> paneAreas(int count, int width, int height);
 
 // Which of them holds the point; nothing in a gap.
-std::optional<std::size_t> paneAt(const std::vector<PaneArea>& areas, double x, double y);
+std::optional<std::size_t> paneAt(const std::vector<PaneArea>& areas, QPointF point);
 
 } // namespace relievo

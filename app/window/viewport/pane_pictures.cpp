@@ -42,17 +42,24 @@ Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, con
     return m_renderer.draw(request);
 }
 
-Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale)
+std::vector<Error> PanePictures::draw(const ShownScene& scene, const std::vector<PaneArea>& areas, double scale)
 {
-    picture(pane).mean.restart();
-    return draw(scene, pane, area, scale, {});
+    std::vector<Error> troubles;
+    for (std::size_t pane = 0; pane < areas.size(); ++pane) {
+        picture(pane).mean.restart();
+        if (const auto drawn = draw(scene, pane, areas[pane], scale, {}); !drawn)
+            troubles.push_back(drawn.error());
+    }
+    return troubles;
 }
 
-void PanePictures::addSample(const ShownScene& scene, std::size_t pane, const PaneArea& area)
+void PanePictures::addSamples(const ShownScene& scene, const std::vector<PaneArea>& areas)
 {
-    Picture& own = picture(pane);
-    if (draw(scene, pane, area, 1., own.mean.nextShift()))
-        own.mean.add(own.drawn);
+    for (std::size_t pane = 0; pane < areas.size(); ++pane) {
+        Picture& own = picture(pane);
+        if (!scene.reference.isShown(pane) && draw(scene, pane, areas[pane], 1., own.mean.nextShift()))
+            own.mean.add(own.drawn);
+    }
 }
 
 int PanePictures::samples() const

@@ -25,10 +25,11 @@ struct ShownScene {
 // All calls need the context current in which it was made.
 class PanePictures {
 public:
-    // A new picture of a pane at a share of its full resolution along each side; its averaging begins anew.
-    Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale);
-    // One more picture, shifted below a pixel, for the mean of a pane at full resolution.
-    void addSample(const ShownScene& scene, std::size_t pane, const PaneArea& area);
+    // A new picture of each pane at a share of its full resolution along each side; averaging begins anew. Says what could not be drawn.
+    std::vector<Error> draw(const ShownScene& scene, const std::vector<PaneArea>& areas, double scale);
+    // One more picture, shifted below a pixel, for the mean of each pane at full resolution; not where it is compared with an exact answer,
+    // which is of the unshifted picture.
+    void addSamples(const ShownScene& scene, const std::vector<PaneArea>& areas);
     int samples() const; // averaged in what is shown, of the pane that has most; 0: as the pixels fall
 
     // Copies what was drawn into a framebuffer `height` pixels high.

@@ -23,7 +23,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     , m_reference(new MeshReference(document, assets, messages, this)) // hears of changes before the picture does
     , m_navigator(new Navigator(document,
           {.isReady = [this] { return m_assets.ready(); },
-              .paneAt = [this](QPointF position) { return paneAt(position); },
+              .paneAt = [this](QPointF at) { return paneAt(areas(), at * devicePixelRatioF()).value_or(std::size_t(m_activePane)); },
               .view = [this](std::size_t pane) { return view(pane); }},
           this))
     , m_overlays(this, document, [this](std::size_t pane) { setActivePane(int(pane)); })
@@ -66,11 +66,8 @@ Viewport::~Viewport()
 
 void Viewport::initializeGL()
 {
-    const int version = openGLVersion();
-    if (version < 41)
-        return m_messages.set("picture",
-            Error{"OpenGL 4.1 is needed", QString("OpenGL %1.%2").arg(version / 10).arg(version % 10).toStdString(),
-                "Update the graphics driver", ErrorCode::Driver});
+    if (const auto suffices = openGLSuffices(); !suffices)
+        return m_messages.set("picture", suffices.error());
     m_pictures = std::make_unique<PanePictures>();
 }
 
@@ -84,12 +81,6 @@ std::vector<PaneArea> Viewport::areas() const
 {
     const auto pixels = [this](int size) { return std::max(1, int(std::lround(size * devicePixelRatioF()))); };
     return paneAreas(int(paneCount()), pixels(width()), pixels(height()));
-}
-
-std::size_t Viewport::paneAt(QPointF position) const
-{
-    return relievo::paneAt(areas(), position.x() * devicePixelRatioF(), position.y() * devicePixelRatioF())
-        .value_or(std::size_t(m_activePane));
 }
 
 ShownScene Viewport::scene() const
@@ -147,10 +138,8 @@ void Viewport::drawPanes(double scale)
     QElapsedTimer clock;
     clock.start();
     QList<Message> troubles;
-    const std::vector<PaneArea> all = areas();
-    for (std::size_t pane = 0; pane < all.size(); ++pane)
-        if (const auto drawn = m_pictures->draw(scene(), pane, all[pane], scale); !drawn)
-            troubles.append({true, QString::fromStdString(message(drawn.error()))});
+    for (const Error& error : m_pictures->draw(scene(), areas(), scale))
+        troubles.append({true, QString::fromStdString(message(error))});
     finishDrawing();
     m_pacer.took(double(clock.nsecsElapsed()) * 1e-6, scale);
     m_stale = false;
@@ -182,10 +171,7 @@ void Viewport::smooth()
     QElapsedTimer clock;
     clock.start();
     makeCurrent();
-    const std::vector<PaneArea> all = areas();
-    for (std::size_t pane = 0; pane < all.size(); ++pane)
-        if (!m_reference->isShown(pane)) // the exact answer is of the unshifted picture
-            m_pictures->addSample(scene(), pane, all[pane]);
+    m_pictures->addSamples(scene(), areas());
     doneCurrent();
     if (smoothSamples() == 0)
         return;

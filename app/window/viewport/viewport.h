@@ -47,7 +47,6 @@ protected:
 private:
     std::size_t paneCount() const { return m_document.state().panes.size(); }
     std::vector<PaneArea> areas() const;
-    std::size_t paneAt(QPointF position) const; // the active one in a gap
     ShownScene scene() const;
     Navigator::PaneView view(std::size_t pane) const;
     void documentChanged(Changes what);
