@@ -92,7 +92,7 @@ Expected<Frame> prepareFrame(DrawContext& context, const DrawRequest& request)
     if (context.programs.reload())
         context.shadowMaps.clear();
     std::erase_if(context.shadowMaps, [&](const auto& entry) { return entry.first >= state.panes.size(); });
-    context.uploads.show(resources);
+    context.uploads.show(resources, state.panes.size());
     context.mesh.show(resources.mesh);
     frame.uniforms = uniformsOf(frame);
     frame.features = featuresOf(frame, maps, context.mesh);

@@ -122,9 +122,10 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
     }
     if (!options.environment.empty())
         state.environment = options.environment == "studio" ? options.environment : absolutePath(options.environment).string();
-    if (!options.camera.empty())
-        if (const auto done = setCamera(state.camera, options.camera); !done)
-            return problem(done.error(), WrongUsage);
+    Camera camera = cameraOf(state, 0); // of the pane that is drawn
+    if (const auto done = setCamera(camera, options.camera); !done)
+        return problem(done.error(), WrongUsage);
+    setCameraOf(state, 0, camera);
     return {};
 }
 

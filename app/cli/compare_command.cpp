@@ -90,17 +90,18 @@ Result<Sheet> measure(const CompareOptions& options)
     if (!subject)
         return tl::unexpected(subject.error());
     State& state = subject->state;
-    state.parameters = effectiveParameters(state, 0);
-    state.panes = {Pane{state.panes.front().technique}}; // nothing overrides what follows
+    state = ofFirstPane(state); // nothing overrides what follows
     state.parameters.heightMips = state.parameters.wireframe = false; // the search itself, at full resolution
     const auto context = WindowlessContext::create();
     if (!context)
         return problem(context.error());
     Renderer renderer;
-    auto judge = PictureJudge::create(renderer, state, subject->resources, kWidth, kHeight);
+    const std::string exactLabel = mostExactSetting(state.parameters).label;
+    const float errorRange = state.parameters.errorRange;
+    Sheet sheet{std::move(*subject), {}, exactLabel, errorRange};
+    auto judge = PictureJudge::create(renderer, sheet.subject.state, sheet.subject.resources, kWidth, kHeight);
     if (!judge)
         return problem(judge.error());
-    Sheet sheet{std::move(*subject), {}, mostExactSetting(state.parameters).label, state.parameters.errorRange};
     for (const TechniqueRow* technique : *techniques) {
         auto cell = measuredCell(renderer, *judge, sheet.subject, plainSetting(*technique, sheet.subject.state.parameters));
         if (!cell)

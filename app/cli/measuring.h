@@ -25,7 +25,8 @@ Result<std::vector<const TechniqueRow*>> techniquesOf(const std::vector<std::str
 // Shaded pictures compared with that of the most exact setting, at one size. Needs a current context.
 class PictureJudge {
 public:
-    static Expected<PictureJudge> create(Renderer& renderer, const State& state, Resources resources, int width, int height);
+    // resources: completed with acceleration maps; they must outlive the judge.
+    static Expected<PictureJudge> create(Renderer& renderer, const State& state, Resources& resources, int width, int height);
     struct Verdict {
         Image picture;
         double psnr, flip;
@@ -33,10 +34,10 @@ public:
     Expected<Verdict> judge(const SearchSetting& setting);
 
 private:
-    PictureJudge(Renderer& renderer, const State& state, Resources resources, Image exact);
+    PictureJudge(Renderer& renderer, const State& state, Resources& resources, Image exact);
     Renderer* m_renderer;
     State m_state;
-    Resources m_resources; // with the acceleration maps of what was judged
+    Resources* m_resources;
     Image m_exact;
     Flip m_flip;
 };

@@ -109,11 +109,10 @@ struct GpuRun {
 };
 
 // One field at one angle: times of all settings in one interleaved run, then their pictures.
-Expected<void> measureAngle(GpuRun& run, const Subject& subject, std::size_t field, std::size_t angle)
+Expected<void> measureAngle(GpuRun& run, const Subject& subject, Resources& resources, std::size_t field, std::size_t angle)
 {
     const auto& [renderer, options, report, progress] = run;
     const State view = fillingView(subject.state, report.angles[angle]);
-    Resources resources = fillingResources(subject.resources);
     std::vector<TimedFrame> frames = {plainQuad(view)};
     for (const SearchSetting& setting : report.plan.settings)
         frames.push_back({withSetting(view, setting), timedView(resources)});
@@ -158,13 +157,15 @@ Expected<void> measurePictures(const ReportOptions& options, const std::vector<S
     }
     GpuRun run{renderer, options, report, progress.part(0.2f, 1.f)};
     const std::size_t steps = subjects.size() * report.angles.size();
-    for (std::size_t field = 0; field < subjects.size(); ++field)
+    for (std::size_t field = 0; field < subjects.size(); ++field) {
+        Resources resources = subjects[field].resources.mesh ? fillingResources(subjects[field].resources) : Resources();
         for (std::size_t angle = 0; angle < report.angles.size(); ++angle) {
             if (subjects[field].resources.mesh) // of the hard cases only some are pictured
-                if (const auto measured = measureAngle(run, subjects[field], field, angle); !measured)
+                if (const auto measured = measureAngle(run, subjects[field], resources, field, angle); !measured)
                     return measured;
             run.progress.at(float(field * report.angles.size() + angle + 1) / float(steps));
         }
+    }
     return {};
 }
 

@@ -82,7 +82,7 @@ private:
     Expected<double> flip(std::size_t setting, std::size_t angle)
     {
         while (m_judges.size() <= angle) {
-            auto judge = PictureJudge::create(m_renderer, view(m_judges.size()), m_tuned.subject.resources, kWidth, kHeight);
+            auto judge = PictureJudge::create(m_renderer, view(m_judges.size()), m_resources, kWidth, kHeight);
             if (!judge)
                 return tl::unexpected(judge.error());
             m_judges.push_back(std::move(*judge));

@@ -109,12 +109,11 @@ SearchSetting mostExactSetting(const Parameters& base)
 
 State withSetting(const State& state, const SearchSetting& setting)
 {
-    State changed = state;
-    changed.parameters = effectiveParameters(state, 0);
+    State changed = ofFirstPane(state);
     for (const ParameterRow& row : kParameters)
         if (searchesBy(*setting.technique, row))
             set(changed.parameters, row, get(setting.parameters, row));
-    changed.panes = {Pane{std::string(setting.technique->key), {}}};
+    changed.panes.front().technique = setting.technique->key;
     return changed;
 }
 

@@ -15,8 +15,6 @@ Parameters effectiveParameters(const State& state, std::size_t pane)
         for (const auto& [key, value] : state.panes[pane].overrides)
             if (const ParameterRow* row = findParameter(key); row && isOfKind(*row, value))
                 set(parameters, *row, value);
-    if (pane < state.panes.size() && state.panes[pane].light)
-        parameters.lightYaw = state.panes[pane].light->yaw, parameters.lightPitch = state.panes[pane].light->pitch;
     return parameters;
 }
 
@@ -31,6 +29,15 @@ void setCameraOf(State& state, std::size_t pane, const Camera& camera)
         state.panes[pane].camera = camera;
     else
         state.camera = camera;
+}
+
+State ofFirstPane(const State& state)
+{
+    State plain = state;
+    plain.parameters = effectiveParameters(state, 0);
+    plain.camera = cameraOf(state, 0);
+    plain.panes = {Pane{state.panes.front().technique}};
+    return plain;
 }
 
 void setView(State& state, std::string_view view)

@@ -23,20 +23,13 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-// Where the light comes from, as the parameters lightYaw and lightPitch.
-struct LightDirection {
-    float yaw, pitch; // degrees
-    bool operator==(const LightDirection&) const = default;
-};
-
-// One picture of the window: a technique and a view, and what differs from the shared State. An unlinked pane holds a camera and a light
-// of its own; linked ones follow the State's.
+// One picture of the window: a technique and a view, and what differs from the shared State. An unlinked pane holds a camera of its own,
+// and its own light as overrides; linked ones follow the State's.
 struct Pane {
     std::string technique = "relief"; // key of kTechniques
     std::map<std::string, Value> overrides = {}; // by parameter key
     std::string view = "shaded"; // key of kViews
     std::optional<Camera> camera = {};
-    std::optional<LightDirection> light = {};
     bool operator==(const Pane&) const = default;
 };
 inline constexpr std::size_t kMaxPanes = 6;
@@ -53,11 +46,13 @@ struct State {
     bool operator==(const State&) const = default;
 };
 
-// The parameters that pane `index` is drawn with: the shared ones under the pane's overrides and its own light.
+// The parameters that pane `index` is drawn with: the shared ones under the pane's overrides.
 Parameters effectiveParameters(const State& state, std::size_t pane);
 // The camera that it is seen by: its own, or the shared one.
 const Camera& cameraOf(const State& state, std::size_t pane);
 void setCameraOf(State& state, std::size_t pane, const Camera& camera);
+// The State with one plain pane, for measuring: what the first pane overrides and its own camera have become the State's.
+State ofFirstPane(const State& state);
 // Shows all panes by this view, a key of kViews.
 void setView(State& state, std::string_view view);
 

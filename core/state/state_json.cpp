@@ -87,8 +87,6 @@ Json panesJson(const std::vector<Pane>& panes)
             one["view"] = pane.view;
         if (pane.camera)
             one["camera"] = cameraJson(*pane.camera);
-        if (pane.light)
-            one["light"] = {{"yaw", pane.light->yaw}, {"pitch", pane.light->pitch}};
         json.push_back(one);
     }
     return json;
@@ -312,6 +310,15 @@ private:
         return true;
     }
 
+    bool ownCamera(const Json& json, const std::string& place, std::optional<Camera>& out)
+    {
+        Camera own;
+        camera(json, place, own);
+        if (json.is_object())
+            out = own;
+        return true;
+    }
+
     bool panes(const Json& json, std::vector<Pane>& out)
     {
         const std::string most = std::to_string(kMaxPanes);
@@ -325,7 +332,7 @@ private:
         further.view = out.front().view;
         out.resize(std::min(json.size(), kMaxPanes), further);
         for (std::size_t i = 0; i < out.size(); ++i) {
-            out[i].camera.reset(), out[i].light.reset(); // linked, unless the file says otherwise
+            out[i].camera.reset(); // linked, unless the file says otherwise
             pane(json[i], "panes[" + std::to_string(i) + ']', out[i]);
         }
         return true;
@@ -340,33 +347,13 @@ private:
             if (key == "view")
                 return word(value, place + ".view", out.view, isView);
             if (key == "camera")
-                return camera(value, place + ".camera", out.camera.emplace());
-            if (key == "light")
-                return light(value, place + ".light", out.light);
+                return ownCamera(value, place + ".camera", out.camera);
             if (key != "overrides")
                 return false;
             out.overrides.clear();
             return parameters(
                 value, place + ".overrides", [&](const ParameterRow& row, const Value& v) { out.overrides[std::string(row.key)] = v; });
         });
-    }
-
-    bool light(const Json& json, const std::string& place, std::optional<LightDirection>& out)
-    {
-        LightDirection direction{Parameters().lightYaw, Parameters().lightPitch};
-        each(json, place, [&](const std::string& key, const Json& value) {
-            if (key != "yaw" && key != "pitch")
-                return false;
-            const ParameterRow& row = *findParameter(key == "yaw" ? "lightYaw" : "lightPitch");
-            if (!value.is_number())
-                warn("wrong-kind", place + '.' + key, "expected a number; ignored");
-            else
-                (key == "yaw" ? direction.yaw : direction.pitch) = std::get<float>(clamped(row, value.get<float>()));
-            return true;
-        });
-        if (json.is_object())
-            out = direction;
-        return true;
     }
 
     const fs::path& m_folder;

@@ -48,8 +48,8 @@ std::string_view timedView(const Resources& resources)
 
 TimedFrame plainQuad(const State& state)
 {
-    TimedFrame frame{state, knownView("color").key};
-    frame.state.panes = {Pane{std::string(knownTechnique("flat").key)}};
+    TimedFrame frame{ofFirstPane(state), knownView("color").key};
+    frame.state.panes.front().technique = knownTechnique("flat").key;
     return frame;
 }
 

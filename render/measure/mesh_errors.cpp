@@ -83,8 +83,7 @@ State changed(const State& state, const Change& change)
 Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, Resources& resources, int width, int height, bool timed,
     Warnings& coarse, const Progress& progress)
 {
-    State view = state;
-    view.parameters = effectiveParameters(state, 0);
+    State view = ofFirstPane(state);
     MeshSection section{resources.mesh->name, 0, double(physicalDepth(view.parameters, resources.mesh->metresPerUV)),
         int(std::size(kMeshViews)), width, height, {}, {}};
     if (resources.mesh->fileHasTangents)

@@ -32,9 +32,7 @@ Resources fillingResources(Resources resources)
 
 State fillingView(const State& state, double angle)
 {
-    State view = state;
-    view.parameters = effectiveParameters(state, 0);
-    view.panes = {Pane{state.panes.front().technique}};
+    State view = ofFirstPane(state);
     view.mesh = kFillingMesh;
     view.part.clear();
     view.camera = Camera{};
@@ -55,9 +53,7 @@ State fillingView(const State& state, double angle)
 
 Expected<PictureErrors> pictureErrors(Renderer& renderer, const State& state, Resources& resources, int width, int height)
 {
-    State full = state;
-    full.parameters = effectiveParameters(state, 0);
-    full.panes = {Pane{state.panes.front().technique}};
+    const State full = ofFirstPane(state);
     const auto difference = values(renderer, full, resources, knownView("error").key, width, height);
     if (!difference)
         return tl::unexpected(difference.error());

@@ -14,8 +14,9 @@ void bindAccelerationMap(const LinkedProgram& program, const AccelerationUpload&
     program.set("boundScales[0]", upload.scales);
 }
 
-void Uploads::show(const Resources& resources)
+void Uploads::show(const Resources& resources, std::size_t panes)
 {
+    std::erase_if(m_exact, [panes](const auto& entry) { return entry.first >= panes; });
     if (resources.environment != m_resources.environment)
         m_environment = Texture();
     std::erase_if(m_acceleration, [&](const auto& entry) { return !resources.accelerationMaps.holds(entry.first); });

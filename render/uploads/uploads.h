@@ -20,7 +20,7 @@ void bindAccelerationMap(const LinkedProgram& program, const AccelerationUpload&
 class Uploads {
 public:
     // Forgets what belongs to other resources than these.
-    void show(const Resources& resources);
+    void show(const Resources& resources, std::size_t panes);
 
     // Binds the maps, the environment and their sizes that the program reads; uploads those that are missing.
     // acceleration: of the technique, made under `wrap`; or nothing.

@@ -161,7 +161,8 @@ void Files::applyPreset(const std::string& nameOrFile)
     // A preset holds numbers and a technique; what it says of files stays out of it.
     m_document.edit(tr("Preset"), [&](State& state) {
         state.parameters = read->state.parameters;
-        state.panes.front() = read->state.panes.front();
+        state.panes.front().technique = read->state.panes.front().technique;
+        state.panes.front().overrides = read->state.panes.front().overrides;
     });
     m_document.endGesture();
 }

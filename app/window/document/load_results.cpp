@@ -14,6 +14,16 @@ void addToRecent(const QString& source)
         addRecentFile(QFileInfo(source).absoluteFilePath());
 }
 
+// Techniques and values of the panes; where they look and what they show stays as it is.
+void bringPanes(State& state, const State& opened)
+{
+    state.panes.resize(opened.panes.size(), state.panes.front());
+    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
+        state.panes[pane].technique = opened.panes[pane].technique;
+        state.panes[pane].overrides = opened.panes[pane].overrides;
+    }
+}
+
 // What a SOURCE of maps brings into `state`; what was edited there while it was read stays.
 void bringMaps(State& state, const Loaded& loaded, bool builtIn)
 {
@@ -23,14 +33,14 @@ void bringMaps(State& state, const Loaded& loaded, bool builtIn)
     if (builtIn) // a sample brings its depth
         state.parameters.depth = opened.parameters.depth;
     if (opened.mesh != base.mesh) // a mesh with textures
-        state.mesh = opened.mesh, state.part = opened.part, state.panes = opened.panes;
+        state.mesh = opened.mesh, state.part = opened.part;
+    if (opened.mesh != base.mesh || (loaded.opened.bringsValues && opened.panes != base.panes))
+        bringPanes(state, opened);
     if (!loaded.opened.bringsValues)
         return;
     for (const ParameterRow& row : kParameters)
         if (const Value value = get(opened.parameters, row); value != get(base.parameters, row))
             set(state.parameters, row, value);
-    if (opened.panes != base.panes)
-        state.panes = opened.panes;
 }
 
 void apply(const OpenDocument& job, const Loaded& loaded, Document& document)

@@ -29,7 +29,7 @@ State unusualState()
     state.camera.target = glm::vec3(0.1f, -2.f, 3.f);
     state.panes = {Pane{"bump"}, Pane{"relief", {{"depth", 0.2f}, {"shadows", false}}}};
     setView(state, "fetches");
-    state.panes.push_back(Pane{.technique = "cell-cone", .view = "error", .light = LightDirection{10.f, 20.f}});
+    state.panes.push_back(Pane{.technique = "cell-cone", .overrides = {{"lightYaw", 10.f}}, .view = "error"});
     state.panes.back().camera.emplace().yaw = 12.f;
     return state;
 }
@@ -54,7 +54,7 @@ TEST(StateJson, RoundTrip)
 TEST(StateJson, PanesHoldViewsCamerasAndLightsOfTheirOwn)
 {
     const auto read = fromJson(State(), R"({"relievo":1,"view":"depth","camera":{"yaw":5},"panes":[{"technique":"relief"},
-        {"technique":"bump","view":"error","camera":{"yaw":9,"distance":3},"light":{"yaw":70}},{"technique":"flat","view":"nothing"}]})",
+        {"technique":"bump","view":"error","camera":{"yaw":9,"distance":3},"overrides":{"lightYaw":70}},{"technique":"flat","view":"nothing"}]})",
         "/x", "file");
     ASSERT_TRUE(read);
     const State& state = read->state;
@@ -74,6 +74,19 @@ TEST(StateJson, PanesHoldViewsCamerasAndLightsOfTheirOwn)
     EXPECT_EQ(cameraOf(linked, 1).yaw, 9.f);
 }
 
+TEST(StateJson, WhatIsMeasuredIsTheFirstPaneAsItIsSeen)
+{
+    State state;
+    state.panes = {Pane{.technique = "bump", .overrides = {{"depth", 0.2f}, {"lightYaw", 9.f}}, .view = "error"}, Pane{"flat"}};
+    state.panes[0].camera.emplace().pitch = 7.f;
+    const State plain = ofFirstPane(state);
+    EXPECT_EQ(plain.panes, std::vector<Pane>{Pane{"bump"}});
+    EXPECT_EQ(plain.parameters, effectiveParameters(state, 0));
+    EXPECT_EQ(plain.camera.pitch, 7.f);
+    ASSERT_TRUE(setParameter(state, "lightYaw=30"));
+    EXPECT_EQ(effectiveParameters(state, 0).lightYaw, 30.f) << "what is asked for now wins over a pane's own light";
+}
+
 TEST(StateJson, SixPanesAreReadAndNoMore)
 {
     std::string panes;
@@ -83,14 +96,13 @@ TEST(StateJson, SixPanesAreReadAndNoMore)
     ASSERT_TRUE(read);
     EXPECT_EQ(read->state.panes, std::vector<Pane>(kMaxPanes, Pane{"bump"}));
     EXPECT_TRUE(warnsOf(read->warnings, "out-of-range", "panes"));
-    const auto bad = fromJson(State(),
-        R"({"relievo":1,"panes":[{"technique":"bump","camera":{"fov":900},"light":{"pitch":"up","roll":1}},{"light":3}]})", "/x", "file");
+    const auto bad
+        = fromJson(State(), R"({"relievo":1,"panes":[{"technique":"bump","camera":{"fov":900}},{"camera":3,"light":1}]})", "/x", "file");
     ASSERT_TRUE(bad);
     EXPECT_TRUE(warnsOf(bad->warnings, "out-of-range", "panes[0].camera.fov"));
-    EXPECT_TRUE(warnsOf(bad->warnings, "wrong-kind", "panes[0].light.pitch"));
-    EXPECT_TRUE(warnsOf(bad->warnings, "unknown-key", "panes[0].light.roll"));
-    EXPECT_TRUE(warnsOf(bad->warnings, "wrong-kind", "panes[1].light"));
-    EXPECT_FALSE(bad->state.panes[1].light);
+    EXPECT_TRUE(warnsOf(bad->warnings, "wrong-kind", "panes[1].camera"));
+    EXPECT_TRUE(warnsOf(bad->warnings, "unknown-key", "panes[1].light"));
+    EXPECT_FALSE(bad->state.panes[1].camera) << "what is no camera links nothing off";
 }
 
 TEST(StateJson, PathsAreRelativeToTheFile)
