@@ -42,8 +42,11 @@ Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress)
         progress.at(0.5f);
         return buildMesh(std::move(*raw), nameOrFile, progress);
     }
+    std::string cure = "Use ";
+    for (const std::string_view shape : kShapes)
+        cure += std::string(shape) + ", ";
     return failure(nameOrFile, "this is neither a built-in shape nor a mesh file that can be read",
-        "Use plane, sphere, cylinder, torus, box, teapot, spheres, or a .gltf, .glb, .obj, .ply, .stl or .off file");
+        cure + "or a .gltf, .glb, .obj, .ply, .stl or .off file");
 }
 
 std::string meshJson(const Mesh& mesh)

@@ -94,7 +94,7 @@ TEST_F(PanesTest, AnUnlinkedPaneMovesAlone)
 {
     Pane own{"bump"};
     own.camera = state().camera;
-    own.light = LightDirection{0.f, 30.f};
+    own.overrides = {{"lightYaw", 0.f}};
     show({Pane{"relief"}, own});
     const Camera shared = state().camera;
     drag(window.viewport(), {middleOf(1), middleOf(1) + QPoint(40, 10), middleOf(1) + QPoint(60, 20)});
@@ -107,7 +107,7 @@ TEST_F(PanesTest, AnUnlinkedPaneMovesAlone)
     EXPECT_EQ(*state().panes[1].camera, moved);
 
     drag(window.viewport(), {middleOf(1), middleOf(1) + QPoint(50, 0)}, Qt::RightButton, Qt::ShiftModifier);
-    EXPECT_NE(state().panes[1].light->yaw, 0.f);
+    EXPECT_NE(effectiveParameters(state(), 1).lightYaw, 0.f);
     EXPECT_EQ(state().parameters.lightYaw, Parameters().lightYaw);
     EXPECT_EQ(steps(), 1);
     window.action("reset-camera")->trigger(); // of the pane that was pressed last
@@ -117,8 +117,33 @@ TEST_F(PanesTest, AnUnlinkedPaneMovesAlone)
     EXPECT_EQ(state().camera, still);
     const Camera later = *state().panes[1].camera;
     window.action("undo")->trigger();
-    EXPECT_EQ(state().panes[1].light->yaw, 0.f);
+    EXPECT_EQ(effectiveParameters(state(), 1).lightYaw, 0.f);
     EXPECT_EQ(*state().panes[1].camera, later) << "undo leaves the eye where it is";
+}
+
+TEST_F(PanesTest, OnePaneIsSmoothedAgainAfterTheOthersAreGone)
+{
+    show({Pane{"relief"}, Pane{"bump"}});
+    ASSERT_TRUE(waitFor([&] { return window.viewport().smoothSamples() == Viewport::kSmoothSamples; }));
+    bool began = false;
+    QObject::connect(&window.viewport(), &Viewport::painted, &window.viewport(),
+        [&] { began = began || (window.viewport().smoothSamples() > 0 && window.viewport().smoothSamples() < Viewport::kSmoothSamples); });
+    window.action("two-panes")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled(); }));
+    EXPECT_TRUE(began) << "sample by sample";
+    EXPECT_EQ(window.viewport().smoothSamples(), Viewport::kSmoothSamples);
+}
+
+TEST_F(PanesTest, APresetBringsNumbersAndLeavesTheEyeAndTheView)
+{
+    Pane own{"bump", {}, "normal"};
+    own.camera.emplace().yaw = 77.f;
+    show({own, Pane{"flat"}});
+    window.files().applyPreset("fine");
+    EXPECT_EQ(state().panes[0].technique, "relief");
+    EXPECT_EQ(state().panes[0].view, "normal");
+    ASSERT_TRUE(state().panes[0].camera);
+    EXPECT_EQ(state().panes[0].camera->yaw, 77.f);
 }
 
 TEST_F(PanesTest, ViewsOfTheirOwnHaveLegendsOfTheirOwn)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/navigator.h"
+#include "app/window/document/editing.h"
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -50,6 +51,7 @@ bool Navigator::eventFilter(QObject*, QEvent* event)
         return true;
     case QEvent::Wheel:
         wheel(*static_cast<QWheelEvent*>(event));
+        event->accept();
         return true;
     case QEvent::KeyPress:
         keyPressed(*static_cast<QKeyEvent*>(event));
@@ -118,13 +120,11 @@ void Navigator::move(const QMouseEvent& event)
 void Navigator::turn(double dx, double dy)
 {
     m_document.edit(tr("Turn light"), [&](State& state) {
-        if (m_pane < state.panes.size() && state.panes[m_pane].light) {
-            Parameters own = effectiveParameters(state, m_pane);
-            turnLight(own, dx, dy);
-            state.panes[m_pane].light = LightDirection{own.lightYaw, own.lightPitch};
-        } else {
-            turnLight(state.parameters, dx, dy);
-        }
+        Parameters lit = effectiveParameters(state, m_pane);
+        turnLight(lit, dx, dy);
+        const bool own = m_pane < state.panes.size() && state.panes[m_pane].camera; // an unlinked pane's light is its own too
+        for (const char* key : {"lightYaw", "lightPitch"})
+            assign(state, *findParameter(key), get(lit, *findParameter(key)), own ? Scope(m_pane) : kAllPanes);
     });
     const Parameters lit = effectiveParameters(m_document.state(), m_pane);
     Q_EMIT hint(

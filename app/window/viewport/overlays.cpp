@@ -8,6 +8,7 @@
 #include "core/state/techniques.h"
 #include "core/trace/shader_on_cpu.h"
 #include <QPainter>
+#include <algorithm>
 #include <tuple>
 
 namespace relievo {
@@ -34,6 +35,8 @@ QString techniqueText(const State& state, std::size_t pane)
     QString text = qt(technique->label);
     if (technique->parameters.contains(&Parameters::maxSteps))
         text += p.minSteps == p.maxSteps ? QString(" %1").arg(p.maxSteps) : QString(" %1\u2013%2").arg(p.minSteps).arg(p.maxSteps);
+    if (technique->parameters.contains(&Parameters::leapSteps))
+        text += QString(" %1").arg(p.leapSteps);
     if (technique->parameters.contains(&Parameters::refineSteps) && p.refineSteps > 0)
         text += QString("+%1").arg(p.refineSteps);
     return text;
@@ -62,7 +65,9 @@ void PaneCaption::show(const QString& letter, const QString& technique, const QS
 
 int PaneCaption::wide(bool withCost) const
 {
-    const auto advance = [&](const QString& text) { return text.isEmpty() ? 0 : fontMetrics().horizontalAdvance(text) + kPadding; };
+    const auto advance = [&](const QString& text) {
+        return text.isEmpty() ? 0 : fontMetrics().horizontalAdvance(text) + 1 + kPadding;
+    }; // 1: advances are rounded
     return advance(m_letter) + advance(m_technique) + (withCost && !m_cost.isEmpty() ? advance(m_cost) + kPadding : 0) + kPadding;
 }
 
@@ -125,13 +130,21 @@ void HeatLegend::paintEvent(QPaintEvent*)
         painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor::fromRgbF(c.x, c.y, c.z));
     }
     painter.setPen(kBright);
-    constexpr int kMarks = 4;
-    for (int i = 0; i <= kMarks; ++i) {
-        const int x = bar.left() + (bar.width() - 1) * i / kMarks;
+    int marks = 4;
+    const auto number = [&](int i) { return (i == marks ? QString::fromUtf8("\u2265 ") : QString()) + plainNumber(m_max * i / marks); };
+    const auto widest = [&] {
+        int most = 0;
+        for (int i = 0; i <= marks; ++i)
+            most = std::max(most, fontMetrics().horizontalAdvance(number(i)));
+        return most;
+    };
+    while (marks > 1 && (widest() + kPadding) * marks > bar.width()) // fewer where they would run together
+        marks /= 2;
+    for (int i = 0; i <= marks; ++i) {
+        const int x = bar.left() + (bar.width() - 1) * i / marks;
         painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + 3);
-        const QString number = (i == kMarks ? QString::fromUtf8("\u2265 ") : QString()) + plainNumber(m_max * i / kMarks);
-        const int w = fontMetrics().horizontalAdvance(number);
-        painter.drawText(std::clamp(x - w / 2, 4, width() - w - 4), bar.bottom() + 5 + fontMetrics().ascent(), number);
+        const int w = fontMetrics().horizontalAdvance(number(i));
+        painter.drawText(std::clamp(x - w / 2, 4, width() - w - 4), bar.bottom() + 5 + fontMetrics().ascent(), number(i));
     }
     painter.setPen(kQuiet);
     painter.drawText(

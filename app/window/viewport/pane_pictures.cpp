@@ -4,6 +4,7 @@
 #include "app/window/viewport/pane_pictures.h"
 #include "app/window/viewport/gl_calls.h"
 #include "app/window/viewport/mesh_reference.h"
+#include "app/window/viewport/overlays.h"
 #include "render/windowless.h"
 #include <QPainter>
 #include <algorithm>
@@ -44,11 +45,16 @@ Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, con
 
 std::vector<Error> PanePictures::draw(const ShownScene& scene, const std::vector<PaneArea>& areas, double scale)
 {
+    while (m_pictures.size() > areas.size()) // of panes that are gone
+        m_pictures.pop_back();
     std::vector<Error> troubles;
     for (std::size_t pane = 0; pane < areas.size(); ++pane) {
         picture(pane).mean.restart();
-        if (const auto drawn = draw(scene, pane, areas[pane], scale, {}); !drawn)
+        const auto drawn = draw(scene, pane, areas[pane], scale, {});
+        if (!drawn)
             troubles.push_back(drawn.error());
+        if (!drawn && areas.size() > 1) // say in which
+            troubles.back().where = paneLetter(pane).toStdString() + ", " + troubles.back().where;
     }
     return troubles;
 }

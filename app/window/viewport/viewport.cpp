@@ -147,7 +147,7 @@ void Viewport::drawPanes(double scale)
     // Later: what hears of it may change the layout, which must not happen while painting.
     QMetaObject::invokeMethod(
         this, [this, troubles] { drawn(troubles); }, Qt::QueuedConnection);
-    if (scale >= 1. && troubles.isEmpty())
+    if (scale >= 1. && std::size_t(troubles.size()) < paneCount()) // one that cannot be drawn does not stop the others
         m_measuring.start(kMeasureDelay);
 }
 
