@@ -93,6 +93,16 @@ const Scene kScenes[] = {
             twoPanes(window);
             window.setView("error");
         }},
+    {"readme", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            window.assets().openDocument("sample:cobblestones", State{});
+            workUntil([&] { return !window.assets().background().busy(); });
+            window.document().edit("Two techniques", [](State& state) {
+                setPaneCount(state, 2);
+                state.parameters.depth = 0.1f;
+                state.camera.yaw = 40.f, state.camera.pitch = 22.f, state.camera.distance = 0.85f;
+            });
+        }},
     {"six", {1600, 1000}, Look::Dark, sixPanes},
     {"outlines", {1600, 1000}, Look::Dark, outlines},
     {"outlines-error", {1600, 1000}, Look::Dark,
