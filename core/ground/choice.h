@@ -36,17 +36,12 @@ template <IsChoice E> constexpr std::optional<E> choiceOf(std::string_view word)
     return {};
 }
 
-// One T for each value of E. Made by perChoice, which does not compile with too few or too many.
+// One T for each value of E.
 template <IsChoice E, class T> struct PerChoice {
     std::array<T, kChoices<E>> values{};
     constexpr const T& operator[](E choice) const { return values[std::size_t(choice)]; }
     constexpr T& operator[](E choice) { return values[std::size_t(choice)]; }
 };
-template <class E, class T, class... More> constexpr PerChoice<E, T> perChoice(T first, More... more)
-{
-    static_assert(1 + sizeof...(More) == kChoices<E>, "one for each value of the choice");
-    return {{first, T(more)...}};
-}
 
 // A set of values of an enum class with at most 32 of them.
 template <class E> class EnumSet {

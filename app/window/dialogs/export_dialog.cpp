@@ -72,6 +72,12 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     connect(&document, &Document::started, this, &ExportDialog::documentStarted);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::run);
+    followExport();
+    showWhich();
+}
+
+void ExportDialog::followExport()
+{
     connect(&m_background, &Background::progressed, this, [this](float share) { m_progress->setValue(int(share * 1000)); });
     connect(&m_background, &Background::failed, this, [this](const QString& what) {
         written(m_form->typed(), failure(m_form->typed().toStdString(), what.toStdString(), "Nothing usable was written"));
@@ -81,7 +87,6 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
         m_cancel->setVisible(busy);
         m_progress->setVisible(busy);
     });
-    showWhich();
 }
 
 void ExportDialog::showWhich()

@@ -34,6 +34,7 @@ protected:
     void showEvent(QShowEvent*) override;
 
 private:
+    void followExport(); // its progress, end and failure
     void documentStarted();
     void write(const QString& out);
     void written(const QString& out, const Expected<Exported>& result);

@@ -17,7 +17,7 @@ bool holdsIn(const State& state, std::size_t index, const ParameterRow& row);
 // A condition on a parameter that is not shown itself does not hold.
 bool holds(const State& state, std::size_t index, const Condition& condition)
 {
-    const ParameterRow& other = *std::ranges::find(kParameters, condition.member, &ParameterRow::member);
+    const ParameterRow& other = kParameters[indexOf(condition.member)];
     if (!holdsIn(state, index, other))
         return false;
     const Value value = get(effectiveParameters(state, index), other);

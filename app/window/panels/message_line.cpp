@@ -59,20 +59,6 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
     m_count->setIconSize({16, 16});
     m_count->setToolTip(tr("Shows or hides all messages"));
     m_text->setObjectName("message-text");
-    m_doing->setObjectName("doing");
-    m_progress->setTextVisible(false);
-    m_progress->setRange(0, 1000);
-    m_progress->setFixedWidth(160);
-    auto* cancel = new QToolButton;
-    cancel->setObjectName("cancel");
-    cancel->setIcon(icon("clear"));
-    cancel->setIconSize({12, 12});
-    cancel->setToolTip(tr("Stop"));
-    auto* workLine = new QHBoxLayout(m_work);
-    workLine->setContentsMargins(0, 0, 0, 0);
-    workLine->addWidget(m_doing);
-    workLine->addWidget(m_progress);
-    workLine->addWidget(cancel);
     m_work->hide();
 
     auto* line = new QHBoxLayout;
@@ -93,6 +79,28 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
 
     connect(&messages, &Messages::changed, this, &MessageLine::refresh);
     connect(m_count, &QToolButton::clicked, this, [this] { setOpen(!m_open); });
+    fillWork(background);
+    refresh();
+}
+
+// What is being done, how far it has come, and its cancel button; seen while something is being done.
+void MessageLine::fillWork(Background& background)
+{
+    m_doing->setObjectName("doing");
+    m_progress->setTextVisible(false);
+    m_progress->setRange(0, 1000);
+    m_progress->setFixedWidth(160);
+    auto* cancel = new QToolButton;
+    cancel->setObjectName("cancel");
+    cancel->setIcon(icon("clear"));
+    cancel->setIconSize({12, 12});
+    cancel->setToolTip(tr("Stop"));
+    auto* workLine = new QHBoxLayout(m_work);
+    workLine->setContentsMargins(0, 0, 0, 0);
+    workLine->addWidget(m_doing);
+    workLine->addWidget(m_progress);
+    workLine->addWidget(cancel);
+
     connect(cancel, &QToolButton::clicked, &background, &Background::cancel);
     connect(&background, &Background::progressed, this, [this, &background](float share) {
         m_doing->setText(background.what());
@@ -105,7 +113,6 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
             return m_work->hide();
         QTimer::singleShot(kShowWorkAfter, this, [this, &background] { m_work->setVisible(background.busy()); });
     });
-    refresh();
 }
 
 void MessageLine::setOpen(bool open)

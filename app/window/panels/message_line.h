@@ -29,6 +29,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override; // another width: other line breaks
 
 private:
+    void fillWork(Background& background);
     void refresh();
     void fillList(const QList<Message>& all);
     void fitList();
