@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 #include <utility>
@@ -190,11 +191,16 @@ Progress shownProgress(const Common& common)
     Progress progress;
     if (common.quiet || !(common.progress || isatty(STDERR_FILENO)))
         return progress;
-    progress.report = [last = std::make_shared<int>(-1)](float share) {
+    struct Told {
+        std::mutex mutex;
+        int percent = -1;
+    };
+    progress.report = [told = std::make_shared<Told>()](float share) {
         const int percent = int(share * 100.f);
-        if (percent <= *last) // never back, whatever the order in which threads tell
+        const std::scoped_lock lock(told->mutex); // told in the order of the test, too
+        if (percent <= told->percent) // never back, whatever the order in which threads tell
             return;
-        *last = percent;
+        told->percent = percent;
         std::fprintf(stderr, "\r%3d %%%s", percent, percent == 100 ? "\n" : "");
         progressIsShown = percent != 100;
     };
