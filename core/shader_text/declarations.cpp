@@ -62,6 +62,7 @@ std::string uniformDeclarations(const std::string& text)
     declare("float", "slopeMapLevels");
     declare("samplerBuffer", "borderMap");
     declare("samplerBuffer", "prismMap"); // see view_ray/prisms.glsl
+    declare("sampler2D", "prismImage"); // the same where there are no buffers
     declare("float", "firstTriangle"); // that is drawn, of those in these maps
     declare("samplerCube", "environmentMap");
     declare("sampler2D", "exactMap"); // distances of the displaced mesh, m; negative: unknown
@@ -71,6 +72,7 @@ std::string uniformDeclarations(const std::string& text)
     declare("float", "heightUnits"); // see heights/stored_exact.glsl
     declare("float", "boundUnits");
     declare("sampler2D", "rayMap");
+    declare("sampler2D", "wayMap");
     declare("sampler2D", "cosineMap");
     return declarations;
 }

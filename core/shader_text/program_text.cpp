@@ -206,7 +206,9 @@ Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)
     return program(meshVertex(posed, false, read), Assembly(read).file("output/wireframe.glsl").finish());
 }
 
-Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect)
+namespace {
+// A technique and what it reads the maps by, for rays that are given.
+Expected<ProgramText> programForRays(std::string_view technique, const ShaderReader& read, Dialect dialect, bool onPrisms)
 {
     const TechniqueRow* row = findTechnique(technique);
     if (!row || row->file.empty())
@@ -219,11 +221,30 @@ Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReade
             .file("heights/wrapped_texel.glsl")
             .file(dialect == Dialect::Desktop ? "heights/heights_corners.glsl" : "heights/heights_corners_texels.glsl")
             .file("heights/heights_exact.glsl")
-            .file("search/bend_none.glsl")
+            .file(onPrisms ? "search/bend_quadric.glsl" : "search/bend_none.glsl")
             .file("search/height_on.glsl");
     accelerationFiles(fragment, *row, "bounds/bounds_exact.glsl", "bounds/volume_exact.glsl");
-    return program(Assembly(read, dialect).file("vertex/full_screen_vertex.glsl").finish(),
-        fragment.file(row->file).file("search/trace_rays.glsl").finish());
+    fragment.file(row->file);
+    if (onPrisms)
+        fragment.file(dialect == Dialect::Desktop ? "view_ray/prism_texels_buffer.glsl" : "view_ray/prism_texels_image.glsl")
+            .file("view_ray/prisms.glsl")
+            .file(row->isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
+            .file("shadow/prism_light.glsl")
+            .file("view_ray/trace_prisms.glsl");
+    else
+        fragment.file("search/trace_rays.glsl");
+    return program(Assembly(read, dialect).file("vertex/full_screen_vertex.glsl").finish(), fragment.finish());
+}
+} // namespace
+
+Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect)
+{
+    return programForRays(technique, read, dialect, false);
+}
+
+Expected<ProgramText> prismProgram(std::string_view technique, const ShaderReader& read, Dialect dialect)
+{
+    return programForRays(technique, read, dialect, true);
 }
 
 } // namespace relievo

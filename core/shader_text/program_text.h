@@ -66,6 +66,8 @@ Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
 enum class Dialect { Desktop, Es };
 // Runs the technique's search on rays in textures (`trace --device gl`).
 Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
+// The same on prisms of a mesh (shaders/view_ray/trace_prisms.glsl); the technique has to search.
+Expected<ProgramText> prismProgram(std::string_view technique, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
 
 // A driver's log with "0:12(3)" or "1:12:" turned into "relief.glsl:12".
 std::string namedLog(const std::string& log, const ShaderText& text);

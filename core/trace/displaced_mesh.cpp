@@ -23,6 +23,7 @@ struct DisplacedMesh::Impl {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::size_t sheets = 0, triangles = 0; // micro-triangles of the displaced surface come first, then those of walls
+    std::vector<char> turned; // by sheet: whether it faces the other way than the mesh's triangle
     std::atomic<std::ptrdiff_t> bytes = 0;
     float coarseness = 1.f;
     Impl() = default;
@@ -52,19 +53,23 @@ struct Base {
     }
     glm::vec2 uv(std::uint32_t vertex) const { return uniforms.textureFromMesh * mesh.vertices[vertex].uv + uniforms.textureShift; }
 
-    // relief: share of the depth on this triangle's part.
+    // How far in a point of a triangle is moved, share of the depth; relief: of the depth on this triangle's part.
+    float below(const std::uint32_t* corners, glm::vec3 weights, float relief) const
+    {
+        glm::dvec2 at(0.);
+        for (int k = 0; k < 3; ++k)
+            at += glm::dvec2(uv(corners[k])) * double(weights[k]);
+        return (1.f - field.at(glm::vec2(at))) * relief;
+    }
+
     glm::vec3 displaced(const std::uint32_t* corners, glm::vec3 weights, float relief) const
     {
         glm::vec3 place(0.f), normal(0.f);
-        glm::dvec2 at(0.);
         for (int k = 0; k < 3; ++k) {
             place += (relief > 0.f ? position(corners[k]) : mesh.vertices[corners[k]].position) * weights[k];
             normal += mesh.vertices[corners[k]].normal * weights[k];
-            at += glm::dvec2(uv(corners[k])) * double(weights[k]);
         }
-        const float length = glm::length(normal);
-        const float down = (1.f - field.at(glm::vec2(at))) * uniforms.reliefDepth * relief;
-        return length > 0.f ? place - normal * (down / length) : place;
+        return place - normal * (below(corners, weights, relief) * uniforms.reliefDepth);
     }
 };
 
@@ -88,25 +93,41 @@ std::uint32_t gridIndex(std::uint32_t i, std::uint32_t j)
     return i * (i + 1) / 2 + j;
 }
 
-// The grid of one triangle: (pieces + 1) (pieces + 2) / 2 points and pieces^2 micro-triangles.
-void cut(const Base& base, const std::uint32_t* corners, float relief, std::uint32_t pieces, float* vertices, std::uint32_t firstVertex,
-    std::uint32_t* triangles)
+// Whether the triangle moved in by a share of the depth faces the other way.
+bool isTurned(const Base& base, const std::uint32_t* corners, float below)
 {
+    glm::vec3 places[3], moved[3];
+    for (int k = 0; k < 3; ++k) {
+        places[k] = base.position(corners[k]);
+        moved[k] = places[k] - base.mesh.vertices[corners[k]].normal * (base.uniforms.reliefDepth * below);
+    }
+    const auto up = [](const glm::vec3* p) { return glm::cross(p[1] - p[0], p[2] - p[0]); };
+    return glm::dot(up(moved), up(places)) < 0.f;
+}
+
+// The grid of one triangle: (pieces + 1) (pieces + 2) / 2 points and pieces^2 micro-triangles; turned: of each of these.
+void cut(const Base& base, const std::uint32_t* corners, float relief, std::uint32_t pieces, float* vertices, std::uint32_t firstVertex,
+    std::uint32_t* triangles, char* turned)
+{
+    const auto weightsOf = [pieces](std::uint32_t i, std::uint32_t j) {
+        return glm::vec3(float(pieces - i) / float(pieces), float(i - j) / float(pieces), float(j) / float(pieces));
+    };
     for (std::uint32_t i = 0; i <= pieces; ++i)
         for (std::uint32_t j = 0; j <= i; ++j) {
-            const glm::vec3 weights(float(pieces - i) / float(pieces), float(i - j) / float(pieces), float(j) / float(pieces));
-            const glm::vec3 point = base.displaced(corners, weights, relief);
+            const glm::vec3 point = base.displaced(corners, weightsOf(i, j), relief);
             float* out = vertices + std::size_t(gridIndex(i, j)) * 3;
             out[0] = point.x, out[1] = point.y, out[2] = point.z;
         }
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const bool mayTurn = isTurned(base, corners, relief);
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, glm::vec3 first) {
         *triangles++ = firstVertex + a, *triangles++ = firstVertex + b, *triangles++ = firstVertex + c;
+        *turned++ = mayTurn && isTurned(base, corners, base.below(corners, first, relief));
     };
     for (std::uint32_t i = 0; i < pieces; ++i)
         for (std::uint32_t j = 0; j <= i; ++j) {
-            add(gridIndex(i, j), gridIndex(i + 1, j), gridIndex(i + 1, j + 1));
+            add(gridIndex(i, j), gridIndex(i + 1, j), gridIndex(i + 1, j + 1), weightsOf(i, j));
             if (j < i)
-                add(gridIndex(i, j), gridIndex(i + 1, j + 1), gridIndex(i, j + 1));
+                add(gridIndex(i, j), gridIndex(i + 1, j + 1), gridIndex(i, j + 1), weightsOf(i, j));
         }
 }
 
@@ -183,10 +204,12 @@ std::vector<float> reliefOfTriangles(const Mesh& mesh)
 }
 
 // Lets rays pass through the backs of a closed mesh's sheets: where they part at a hard edge, the inside is not seen, as in a picture.
-// Walls stop rays from either side.
+// Walls and what is turned over stop rays from either side.
 void onlyFronts(const RTCFilterFunctionNArguments* hit)
 {
-    if (RTCHitN_primID(hit->hit, hit->N, 0) >= *static_cast<const std::size_t*>(hit->geometryUserPtr))
+    const auto& turned = *static_cast<const std::vector<char>*>(hit->geometryUserPtr);
+    const std::size_t index = RTCHitN_primID(hit->hit, hit->N, 0);
+    if (index >= turned.size() || turned[index] != 0)
         return;
     const float facing = RTCHitN_Ng_x(hit->hit, hit->N, 0) * RTCRayN_dir_x(hit->ray, hit->N, 0)
         + RTCHitN_Ng_y(hit->hit, hit->N, 0) * RTCRayN_dir_y(hit->ray, hit->N, 0)
@@ -225,6 +248,7 @@ Expected<DisplacedMesh> DisplacedMesh::build(
     const auto impl = std::make_shared<Impl>();
     impl->sheets = cuts.firstTriangle.back();
     impl->triangles = impl->sheets + walls.size() / 3;
+    impl->turned.resize(impl->sheets);
     impl->coarseness = cuts.coarseness;
     impl->device = rtcNewDevice(nullptr);
     if (!impl->device)
@@ -233,7 +257,7 @@ Expected<DisplacedMesh> DisplacedMesh::build(
     impl->scene = rtcNewScene(impl->device);
     rtcSetSceneFlags(impl->scene, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
     RTCGeometry geometry = rtcNewGeometry(impl->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetGeometryUserData(geometry, &impl->sheets);
+    rtcSetGeometryUserData(geometry, &impl->turned);
     if (isClosed(mesh))
         rtcSetGeometryIntersectFilterFunction(geometry, onlyFronts);
     auto* vertices = static_cast<float*>(
@@ -246,7 +270,7 @@ Expected<DisplacedMesh> DisplacedMesh::build(
             if (progress.cancelled())
                 return;
             cut(base, &mesh.indices[3 * i], reliefs[i], cuts.pieces[i], vertices + 3 * cuts.firstVertex[i],
-                std::uint32_t(cuts.firstVertex[i]), indices + 3 * cuts.firstTriangle[i]);
+                std::uint32_t(cuts.firstVertex[i]), indices + 3 * cuts.firstTriangle[i], impl->turned.data() + cuts.firstTriangle[i]);
             if (++done % 256 == 0)
                 progress.at(0.5f * float(done) / float(cuts.pieces.size()));
         });
@@ -286,8 +310,9 @@ DisplacedMesh::Hit DisplacedMesh::hit(glm::vec3 origin, glm::vec3 direction) con
     rtcIntersect1(m->scene, &context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return {};
-    const bool back = ray.hit.primID < m->sheets && glm::dot(glm::vec3(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z), direction) > 0.f;
-    return {ray.ray.tfar, back};
+    const bool isSheet = ray.hit.primID < m->sheets;
+    const bool back = isSheet && glm::dot(glm::vec3(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z), direction) > 0.f;
+    return {ray.ray.tfar, back, isSheet && m->turned[ray.hit.primID] != 0};
 }
 
 std::size_t DisplacedMesh::triangles() const
@@ -316,7 +341,7 @@ Expected<PixelDistances> pixelDistances(
             const glm::vec4 clip(2.f * (float(x) + 0.5f) / float(width) - 1.f, 1.f - 2.f * (float(y) + 0.5f) / float(height), 0.f, 1.f);
             const glm::vec4 world = worldFromClip * clip;
             const DisplacedMesh::Hit hit = surface.hit(camera.eye, glm::normalize(glm::vec3(world) / world.w - camera.eye));
-            seen.metres[std::size_t(y) * std::size_t(width) + std::size_t(x)] = hit.back ? std::nanf("") : hit.distance;
+            seen.metres[std::size_t(y) * std::size_t(width) + std::size_t(x)] = hit.back || hit.turned ? std::nanf("") : hit.distance;
         }
         progress.at(float(++done) / float(height));
     });

@@ -14,9 +14,10 @@
 
 namespace relievo {
 
-// Every point of the mesh, pushed out for the midlevel, then moved in along the interpolated unit normal by the relief's depth there (none
-// on plain parts) (height field bilinear: ARCHITECTURE.md, "Space, sign and unit"). Its triangles are cut into micro-triangles of half a
-// texel; what opens between them at UV seams is closed by walls.
+// Every point of the mesh, pushed out for the midlevel, then moved in along the interpolated normal by the relief's depth there (none on
+// plain parts); that is not made unit again, so that a constant height is the mesh itself, moved (height field bilinear: ARCHITECTURE.md,
+// "Space, sign and unit"). Its triangles are cut into micro-triangles of half a texel; what opens between them at UV seams is closed by
+// walls.
 class DisplacedMesh {
 public:
     struct Detail {
@@ -31,10 +32,11 @@ public:
 
     struct Hit {
         float distance = std::numeric_limits<float>::infinity(); // m along the unit direction; infinity when nothing is hit
-        bool back = false; // of an open mesh
+        bool back = false; // of an open mesh, or of what is turned
+        bool turned = false; // where the mesh's triangle, moved in as far, faces the other way: the relief is deeper than the mesh bends
     };
-    // The first hit. The backs of a closed mesh are not hit: where its sheets part at a hard edge, a ray that only meets their backs goes
-    // out again.
+    // The first hit. The backs of a closed mesh are not hit unless they are turned: where its sheets part at a hard edge, a ray that only
+    // meets their backs goes out again.
     Hit hit(glm::vec3 origin, glm::vec3 direction) const;
     std::size_t triangles() const;
     std::size_t bytes() const; // of Embree's scene and its buffers
@@ -49,8 +51,8 @@ private:
 struct PixelDistances {
     int width = 0, height = 0;
     std::size_t triangles = 0; // micro-triangles of the surface
-    // From the eye, row 0 at the top; infinity where nothing is, NaN where the back of an open mesh is seen: relief goes in from the side
-    // that is seen, so pictures have no such surface.
+    // From the eye, row 0 at the top; infinity where nothing is, NaN where pictures have no such surface: where the back of an open mesh is
+    // seen, as relief goes in from the side that is seen, and where the relief has turned the surface over.
     std::vector<float> metres;
 
     float at(int x, int y) const { return metres[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }

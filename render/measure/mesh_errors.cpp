@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <span>
 
 namespace relievo {
 
@@ -78,35 +79,56 @@ State changed(const State& state, const Change& change)
     result.panes = {Pane{std::string(knownTechnique("cell-cone").key)}};
     return result;
 }
-} // namespace
 
-Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, Resources& resources, int width, int height, bool timed,
-    Warnings& coarse, const Progress& progress)
+// The mean over kMeshViews, one row a change. triangles: the most micro-triangles of a view.
+Expected<std::vector<MeshRow>> overViews(Renderer& renderer, State view, Resources& resources, int width, int height,
+    std::span<const Change> changes, std::size_t& triangles, Warnings& coarse, const Progress& progress)
 {
-    State view = ofFirstPane(state);
-    MeshSection section{resources.mesh->name, 0, double(physicalDepth(view.parameters, resources.mesh->metresPerUV)),
-        int(std::size(kMeshViews)), width, height, {}, {}};
-    if (resources.mesh->fileHasTangents)
-        section.tangents = tangentDifference(*resources.mesh);
-    for (const Change& change : kChanges)
-        section.rows.push_back({change.label, 0., 0., 0., std::nan("")});
+    std::vector<MeshRow> rows;
+    for (const Change& change : changes)
+        rows.push_back({change.label, 0., 0., 0., std::nan("")});
+    constexpr double kViews = std::size(kMeshViews);
     for (std::size_t i = 0; i < std::size(kMeshViews); ++i) {
         view.camera.yaw = kMeshViews[i][0], view.camera.pitch = kMeshViews[i][1];
         Warnings told;
         const auto exact = exactDistances(view, 0, resources, width, height, i == 0 ? coarse : told, Progress{{}, progress.stop});
         if (!exact)
             return tl::unexpected(exact.error());
-        section.triangles = std::max(section.triangles, (*exact)->pixels.triangles);
-        for (std::size_t k = 0; k < std::size(kChanges); ++k) {
-            const auto errors = meshErrors(renderer, changed(view, kChanges[k]), resources, *exact);
+        triangles = std::max(triangles, (*exact)->pixels.triangles);
+        for (std::size_t k = 0; k < changes.size(); ++k) {
+            const auto errors = meshErrors(renderer, changed(view, changes[k]), resources, *exact);
             if (!errors)
                 return tl::unexpected(errors.error());
-            MeshRow& row = section.rows[k];
-            row.coverage += errors->coverage / double(section.views), row.depthRmse += errors->depthRmse / double(section.views);
-            row.invalid += errors->invalid;
+            rows[k].coverage += errors->coverage / kViews, rows[k].depthRmse += errors->depthRmse / kViews;
+            rows[k].invalid += errors->invalid;
         }
-        progress.at(0.8f * float(i + 1) / float(section.views));
+        progress.at(0.8f * float(i + 1) / float(kViews));
     }
+    return rows;
+}
+} // namespace
+
+Expected<MeshRow> measurePrisms(
+    Renderer& renderer, const State& state, Resources& resources, int width, int height, Warnings& coarse, const Progress& progress)
+{
+    const auto change = std::ranges::find(kChanges, std::string_view("silhouettes: prisms"), &Change::label);
+    std::size_t triangles = 0;
+    auto rows = overViews(renderer, ofFirstPane(state), resources, width, height, {change, 1}, triangles, coarse, progress);
+    return rows ? Expected<MeshRow>(rows->front()) : tl::unexpected(rows.error());
+}
+
+Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, Resources& resources, int width, int height, bool timed,
+    Warnings& coarse, const Progress& progress)
+{
+    const State view = ofFirstPane(state);
+    MeshSection section{resources.mesh->name, 0, double(physicalDepth(view.parameters, resources.mesh->metresPerUV)),
+        int(std::size(kMeshViews)), width, height, {}, {}};
+    if (resources.mesh->fileHasTangents)
+        section.tangents = tangentDifference(*resources.mesh);
+    auto rows = overViews(renderer, view, resources, width, height, kChanges, section.triangles, coarse, progress);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    section.rows = std::move(*rows);
     if (!timed)
         return section;
     std::vector<TimedFrame> frames;

@@ -17,4 +17,8 @@ Expected<MeshRow> meshErrors(
 Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, Resources& resources, int width, int height, bool timed,
     Warnings& coarse, const Progress& progress = {});
 
+// The same for silhouettes by prisms alone.
+Expected<MeshRow> measurePrisms(
+    Renderer& renderer, const State& state, Resources& resources, int width, int height, Warnings& coarse, const Progress& progress = {});
+
 } // namespace relievo

@@ -6,6 +6,7 @@
 #include "core/mesh/edges/borders.h"
 #include "core/mesh/edges/closed.h"
 #include "core/mesh/edges/coarse.h"
+#include "core/mesh/edges/prism_texels.h"
 #include "core/mesh/frames/curvature.h"
 #include "core/mesh/frames/push.h"
 #include "core/scene/resources.h"
@@ -55,33 +56,6 @@ std::vector<glm::vec4> borderTexels(const Mesh& mesh)
     texels.insert(texels.end(), borders.segments.begin(), borders.segments.end());
     return texels;
 }
-// What shaders/view_ray/prisms.glsl reads.
-constexpr std::size_t kVertexTexels = 5, kTriangleTexels = 2;
-
-std::vector<glm::vec4> prismTexels(const Mesh& mesh, const std::vector<std::uint32_t>& across, std::string_view part)
-{
-    std::vector<char> plain(mesh.indices.size() / 3, 0); // by triangle: there the relief ends
-    const std::vector<char> isPlain = plainParts(mesh, part);
-    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
-        if (isPlain[i])
-            std::fill_n(plain.begin() + std::ptrdiff_t(mesh.parts[i].firstIndex / 3), mesh.parts[i].indexCount / 3, char(1));
-    const std::vector<glm::vec3> push = pushDirections(mesh);
-    std::vector<glm::vec4> texels;
-    texels.reserve(1 + kVertexTexels * mesh.vertices.size() + kTriangleTexels * (mesh.indices.size() / 3));
-    texels.emplace_back(float(1 + kVertexTexels * mesh.vertices.size()), 0.f, 0.f, 0.f);
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        const Vertex& vertex = mesh.vertices[i];
-        texels.insert(texels.end(),
-            {glm::vec4(vertex.position, vertex.uv.x), glm::vec4(vertex.normal, vertex.uv.y), glm::vec4(push[i], 0.f),
-                glm::vec4(vertex.dPdu, 0.f), glm::vec4(vertex.dPdv, 0.f)});
-    }
-    const auto number = [&](std::uint32_t edge) { return edge == kNoEdge || plain[edge / 3] ? -1.f : float(edge); };
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        texels.emplace_back(float(mesh.indices[i]), float(mesh.indices[i + 1]), float(mesh.indices[i + 2]), 0.f);
-        texels.emplace_back(number(across[i]), number(across[i + 1]), number(across[i + 2]), 0.f);
-    }
-    return texels;
-}
 } // namespace
 
 void MeshUpload::show(const std::shared_ptr<const Mesh>& mesh)
@@ -123,7 +97,7 @@ bool MeshUpload::hasPrisms()
     constexpr std::size_t kExact = std::size_t(1) << 24; // floats count so far
     GLint limit = 0; // texels
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
-    const std::size_t texels = 1 + kVertexTexels * m_mesh->vertices.size() + kTriangleTexels * (m_mesh->indices.size() / 3);
+    const std::size_t texels = 1 + kPrismVertexTexels * m_mesh->vertices.size() + kPrismTriangleTexels * (m_mesh->indices.size() / 3);
     return texels <= std::size_t(std::max(limit, 0)) && std::max(texels, m_mesh->indices.size()) < kExact;
 }
 
@@ -133,7 +107,8 @@ void MeshUpload::bindPrisms(const LinkedProgram& program, const Pose& pose, std:
         if (m_across.empty())
             m_across = edgesAcross(*m_mesh);
         glActiveTexture(GL_TEXTURE0 + kBorderUnit);
-        m_prisms.fill(prismTexels(posed(*m_mesh, pose), m_across, part), m_mesh->deformation ? GL_STREAM_DRAW : GL_STATIC_DRAW);
+        m_prisms.fill(
+            prismTexels(posed(*m_mesh, pose), m_across, plainParts(*m_mesh, part)), m_mesh->deformation ? GL_STREAM_DRAW : GL_STATIC_DRAW);
         m_prismsAre = std::move(are);
     }
     program.bind("prismMap", GL_TEXTURE_BUFFER, m_prisms.texture(), kBorderUnit); // a program reads one of the two

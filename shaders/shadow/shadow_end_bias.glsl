@@ -1,18 +1,13 @@
 // Where the shadow ray of a search that may miss by some ends: the user's bias above the point.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-float shadowRoom(vec2 uv)
-{
-    return shadowBias; // share of the depth
-}
+#include "shadow/light_end.glsl"
 
-// Takes the point's own surroundings off the ray's end. room: what of shadowRoom() is still to be taken off; fall: how much the ray sinks for
-// each unit of t.
-bool endsBeforePoint(inout Ray ray, inout float room, float fall, bool atPoint)
+// Takes the point's own surroundings off the ray's end: shares of the depth.
+LightEnd endBeforePoint(LightWay way)
 {
-    fall = max(fall, 1e-12f);
-    float without = min(room / fall, ray.end);
-    room -= without * fall;
-    ray.end -= without;
-    return true;
+    float room = way.atPoint ? shadowBias : way.room;
+    float fall = max(way.fall, 1e-12f);
+    float without = min(room / fall, way.ray.end);
+    return LightEnd(way.ray.end - without, room - without * fall, true);
 }

@@ -7,6 +7,7 @@ bool lightIsHidden(Surface surface, vec3 toLight)
     if (dot(surface.frame.normal, toLight) <= 0.0f)
         return true; // it comes from behind the surface
     Ray ray = lightRay(surface, toLight);
-    float room = shadowRoom(surface.hit.uv);
-    return !endsBeforePoint(ray, room, 1.0f, true) || (ray.end > 0.0f && trace(ray).found);
+    LightEnd end = endBeforePoint(LightWay(ray, 1.0f, true, 0.0f));
+    ray.end = end.end;
+    return !end.faces || (ray.end > 0.0f && trace(ray).found);
 }

@@ -5,9 +5,10 @@
 
 // prismMap: where the triangles begin, then five texels a vertex: (position, u), (normal, v), (way out, 0), dPdu, dPdv; then two a triangle:
 // its vertices, and the edges across its own, counted as in core/mesh/edges/across.h, -1 for none.
+// prismTexel(i) reads it (view_ray/prism_texels_buffer.glsl and its like).
 vec4 vertexTexel(float vertex, int i)
 {
-    return texelFetch(prismMap, 1 + 5 * int(vertex) + i);
+    return prismTexel(1 + 5 * int(vertex) + i);
 }
 
 struct Corner {
@@ -16,26 +17,29 @@ struct Corner {
     vec2 uv; // in the texture
 };
 
-// depth: negative where the mesh is seen from its back.
-Corner cornerOf(float vertex, float depth)
+// floorBelow: how far the relief's floor lies below, m; negative where the mesh is seen from its back.
+Corner cornerOf(float vertex, float floorBelow)
 {
     vec4 place = vertexTexel(vertex, 0);
     vec4 normal = vertexTexel(vertex, 1);
-    vec3 push = pushOut != 0.0f ? vertexTexel(vertex, 2).xyz * pushOut : vec3(0.0f);
-    return Corner(place.xyz + push, normal.xyz * -depth, textureFromMesh * vec2(place.w, normal.w) + textureShift);
+    vec3 push = pushOut != 0.0f ? vec3(vertexTexel(vertex, 2)) * pushOut : vec3(0.0f);
+    return Corner(vec3(place) + push, vec3(normal) * -floorBelow, textureFromMesh * vec2(place.w, normal.w) + textureShift);
 }
 
-int trianglesStart = 0; // texel; searched() reads it once
+int trianglesStart = 0; // texel; walkPrisms() reads it once
 
 struct Prism {
     vec4 vertices; // of its triangle
     Corner corners[3];
 };
 
-Prism prismOf(int triangle, float depth)
+Prism prismOf(int triangle, float floorBelow)
 {
-    vec4 vertices = texelFetch(prismMap, trianglesStart + 2 * triangle);
-    return Prism(vertices, Corner[3](cornerOf(vertices.x, depth), cornerOf(vertices.y, depth), cornerOf(vertices.z, depth)));
+    Prism prism;
+    prism.vertices = prismTexel(trianglesStart + 2 * triangle);
+    for (int i = 0; i < 3; ++i)
+        prism.corners[i] = cornerOf(prism.vertices[i], floorBelow);
+    return prism;
 }
 
 vec2 uvBetween(Corner corners[3], vec3 weights)
@@ -50,42 +54,6 @@ float cosineTo(Corner corners[3], vec3 way)
     return clamp(abs(dot(up, way)) * inversesqrt(max(dot(up, up), 1e-30f)), 0.002f, 1.0f);
 }
 
-// The frame of the texture between a triangle's corners.
-Frame frameBetween(vec4 vertices, vec3 weights)
-{
-    vec3 normal = vec3(0.0f);
-    vec3 alongU = vec3(0.0f);
-    vec3 alongV = vec3(0.0f);
-    for (int i = 0; i < 3; ++i) {
-        normal += vertexTexel(vertices[i], 1).xyz * weights[i];
-        alongU += vertexTexel(vertices[i], 3).xyz * weights[i];
-        alongV += vertexTexel(vertices[i], 4).xyz * weights[i];
-    }
-    float size = length(normal);
-    normal = size > 0.0f ? normal / size : vec3(0.0f, 1.0f, 0.0f); // corners that oppose each other leave none
-    return frameOf(gl_FrontFacing ? normal : -normal, alongU * meshFromTexture[0][0] + alongV * meshFromTexture[0][1],
-        alongU * meshFromTexture[1][0] + alongV * meshFromTexture[1][1]);
-}
-
-// Where on an edge's wall a place lies: share of the way along the edge, and share of the depth.
-vec2 onWall(vec3 place, Corner from, Corner to, float depth)
-{
-    vec3 edge = to.place - from.place;
-    vec3 across = place - from.place;
-    vec2 found = vec2(0.5f, 0.0f);
-    for (int i = 0; i < 3; ++i) { // the way inwards turns along the edge
-        vec3 inwards = mix(from.inwards, to.inwards, clamp(found.x, 0.0f, 1.0f));
-        inwards *= abs(depth) * inversesqrt(max(dot(inwards, inwards), 1e-30f));
-        float ee = dot(edge, edge);
-        float ei = dot(edge, inwards);
-        float ii = dot(inwards, inwards);
-        float ae = dot(across, edge);
-        float ai = dot(across, inwards);
-        found = vec2(ae * ii - ai * ei, ai * ee - ae * ei) / max(ee * ii - ei * ei, 1e-30f);
-    }
-    return found;
-}
-
 // Weights of a triangle's corners at a place in its plane.
 vec3 weightsAt(vec3 place, vec3 a, vec3 b, vec3 c)
 {
@@ -96,90 +64,220 @@ vec3 weightsAt(vec3 place, vec3 a, vec3 b, vec3 c)
     return vec3(atA, atB, 1.0f - atA - atB);
 }
 
-// How a ray leaves a prism.
+// How a ray leaves a prism. In a prism every slice of one depth is a triangle whose corners move linearly with the depth, so that a wall is bilinear, not
+// a plane. The ray passes the edge of a slice where its moment about the edge is zero, and inside of it all three moments have one sign.
 struct Exit {
     float way; // m along the ray
     int side; // 0 to 2: the wall of the edge from that corner, 3: floor, 4: top
     float below; // share of the depth there
     vec3 weights; // of the corners there
+    float order; // the least counts: the way, and beyond all ways by how much the ray passes the side by
 };
+const float kNoWay = 1e20f;
+const float kPrismSlack = 0.02f; // share of the depth by which a side may lie before the entry
+const float kPrismBend = 0.02f; // share of the depth by which a way that is taken for straight may be bent
 
-Exit nearer(Exit exit, float since, float rise, float speed, int side)
+// off: how far beside the side, in shares of it.
+Exit exitBy(int side, float way, float below, vec3 weights, float off, float late)
 {
-    return speed > 0.0f && rise < exit.way * speed && rise > since * speed ? Exit(rise / speed, side, 0.0f, vec3(0.0f)) : exit;
+    float wrong = max(off, 1e-3f * (late - 1.0f));
+    return Exit(way, side, clamp(below, 0.0f, 1.0f), weights, wrong > 1e-4f ? kNoWay * (1.0f + wrong) : way);
 }
 
-// The plane of a side that the ray crosses first. since: what it crossed before, it was never inside of; without: bits of sides that do not
-// count.
-Exit nearestSide(Corner corners[3], vec3 start, vec3 way, float since, float depth, int without)
+Exit firstOf(Exit a, Exit b)
 {
-    float turn = depth < 0.0f ? -1.0f : 1.0f;
-    Exit exit = Exit(1e30f, -1, 0.0f, vec3(0.0f));
+    return b.order < a.order ? b : a;
+}
+
+// The moment of the edge from corner i about the ray, as a quadratic of the depth: x + y d + z d^2. origin: on the ray.
+vec3 edgeMoment(Corner from, Corner to, vec3 origin, vec3 way)
+{
+    vec3 a = cross(way, from.place - origin);
+    vec3 p = cross(way, from.inwards);
+    vec3 b = to.place - origin;
+    return vec3(dot(a, b), dot(a, to.inwards) + dot(p, b), dot(p, to.inwards));
+}
+
+// The depth at which a ray leaves by a wall: of the two roots the one at which the moment rises. Beyond [0, 1] where it does not.
+float depthOfLeaving(vec3 moment)
+{
+    float square = moment.y * moment.y - 4.0f * moment.z * moment.x;
+    float root = sqrt(max(square, 0.0f));
+    float numerator = moment.y > 0.0f ? -2.0f * moment.x : root - moment.y;
+    float denominator = moment.y > 0.0f ? moment.y + root : 2.0f * moment.z;
+    return square < 0.0f || denominator == 0.0f ? -kNoWay : numerator / denominator;
+}
+
+// Through the wall of the edge from corner i, where the moment leaves.
+Exit exitByWall(Corner corners[3], int i, float below, vec3 origin, vec3 way, float begin, float slack)
+{
+    int j = i == 2 ? 0 : i + 1;
+    vec3 from = corners[i].place + corners[i].inwards * below - origin;
+    vec3 edge = corners[j].place + corners[j].inwards * below - origin - from;
+    float along = dot(edge, way);
+    float share = (along * dot(from, way) - dot(from, edge)) / max(dot(edge, edge) - along * along, 1e-30f);
+    vec3 weights = vec3(0.0f);
+    weights[i] = 1.0f - clamp(share, 0.0f, 1.0f);
+    weights[j] = 1.0f - weights[i];
+    float late = -(dot(from, way) + along * share) / slack;
+    return exitBy(i, begin - late * slack, below, weights, max(abs(share - 0.5f), abs(below - 0.5f)) - 0.5f, late);
+}
+
+// Through the slice of depth 0 or 1, whose weights are shares of the moments there.
+Exit exitBySlice(Corner corners[3], vec3 moments, float below, vec3 origin, vec3 way, float begin, float slack)
+{
+    vec3 weights = moments / (moments.x + moments.y + moments.z);
+    vec3 place = vec3(0.0f);
+    for (int i = 0; i < 3; ++i)
+        place += (corners[i].place + corners[i].inwards * below - origin) * weights[i];
+    float late = -dot(place, way) / slack;
+    return exitBy(below > 0.5f ? 3 : 4, begin - late * slack, below, weights, -min(weights.x, min(weights.y, weights.z)), late);
+}
+
+// The side by which a ray leaves that comes in at `begin` by the wall of edge `cameBy` (-1: not by a wall).
+Exit exitFrom(Corner corners[3], vec3 start, vec3 way, float begin, float floorBelow, int cameBy)
+{
+    vec3 origin = start + way * begin;
+    float slack = max(kPrismSlack * abs(floorBelow), 1e-12f);
+    Exit exit = Exit(begin, 4, 0.0f, vec3(1.0f / 3.0f), 1e38f);
+    vec3 atTop = vec3(0.0f);
+    vec3 atFloor = vec3(0.0f);
     for (int i = 0; i < 3; ++i) {
-        Corner from = corners[i];
-        Corner to = corners[i == 2 ? 0 : i + 1];
-        vec3 outwards = cross(from.inwards + to.inwards, to.place - from.place) * turn;
-        if ((without & 1 << i) == 0)
-            exit = nearer(exit, since, dot(outwards, from.place - start), dot(outwards, way), i);
+        int j = i == 2 ? 0 : i + 1;
+        vec3 moment = edgeMoment(corners[i], corners[j], origin, way) * (floorBelow < 0.0f ? -1.0f : 1.0f);
+        atTop[j == 2 ? 0 : j + 1] = moment.x;
+        atFloor[j == 2 ? 0 : j + 1] = moment.x + moment.y + moment.z;
+        float below = depthOfLeaving(moment);
+        if (abs(below - 0.5f) < 0.6f) {
+            Exit wall = exitByWall(corners, i, below, origin, way, begin, slack);
+            if (i != cameBy || wall.way > begin + slack)
+                exit = firstOf(exit, wall);
+        }
     }
-    vec3 a = corners[0].place;
-    vec3 up = cross(corners[1].place - a, corners[2].place - a) * turn;
-    if ((without & 16) == 0)
-        exit = nearer(exit, since, dot(up, a - start), dot(up, way), 4);
-    a += corners[0].inwards;
-    vec3 down = cross(corners[2].place + corners[2].inwards - a, corners[1].place + corners[1].inwards - a) * turn;
-    return (without & 8) == 0 ? nearer(exit, since, dot(down, a - start), dot(down, way), 3) : exit;
+    if (atTop.x + atTop.y + atTop.z > 0.0f) // seen from below
+        exit = firstOf(exit, exitBySlice(corners, atTop, 0.0f, origin, way, begin, slack));
+    if (atFloor.x + atFloor.y + atFloor.z < 0.0f) // seen from above
+        exit = firstOf(exit, exitBySlice(corners, atFloor, 1.0f, origin, way, begin, slack));
+    return exit;
 }
 
-// Where normals lean far over, a prism is folded, and the plane of a side cuts through it where that side is not; then the next one counts.
-Exit exitFrom(Corner corners[3], vec3 start, vec3 way, float begin, float depth)
+// Twice the area of the slice at a floorBelow, along its normal.
+vec3 sliceNormal(Corner corners[3], float below)
 {
-    Exit first;
-    int without = 0;
-    for (int i = 0; i < 5; ++i) {
-        Exit exit = nearestSide(corners, start, way, begin - 0.05f * abs(depth), depth, without);
-        if (exit.side < 0)
-            break;
-        vec3 place = start + way * max(exit.way, begin);
-        bool isThere;
-        if (exit.side < 3) {
-            int to = exit.side == 2 ? 0 : exit.side + 1;
-            vec2 found = onWall(place, corners[exit.side], corners[to], depth);
-            exit.weights[exit.side] = 1.0f - found.x;
-            exit.weights[to] = found.x;
-            exit.below = clamp(found.y, 0.0f, 1.0f);
-            isThere = abs(found.y - 0.5f) < 0.52f;
-        } else {
-            exit.below = exit.side == 3 ? 1.0f : 0.0f;
-            exit.weights = weightsAt(place, corners[0].place + exit.below * corners[0].inwards,
-                corners[1].place + exit.below * corners[1].inwards, corners[2].place + exit.below * corners[2].inwards);
-            isThere = min(exit.weights.x, min(exit.weights.y, exit.weights.z)) > -0.25f;
-        }
-        if (isThere)
-            return exit;
-        if (i == 0)
-            first = exit;
-        without |= 1 << exit.side;
-    }
-    return without == 0 ? Exit(begin, 4, 0.0f, vec3(1.0f / 3.0f)) : first;
+    vec3 a = corners[0].place + corners[0].inwards * below;
+    return cross(corners[1].place + corners[1].inwards * below - a, corners[2].place + corners[2].inwards * below - a);
 }
 
 // Where a ray comes into a prism.
 struct Entry {
     int triangle; // -1: there is none
+    int side; // the wall that it comes through, -1: none
     vec3 weights; // of the corners there
 };
+
+// Of a slice's corners where the ray passes it.
+vec3 weightsInSlice(Corner corners[3], float below, vec3 origin, vec3 way)
+{
+    vec3 moments = vec3(0.0f);
+    for (int i = 0; i < 3; ++i) {
+        int j = i == 2 ? 0 : i + 1;
+        vec3 from = corners[i].place + corners[i].inwards * below - origin;
+        moments[j == 2 ? 0 : j + 1] = dot(way, cross(from, corners[j].place + corners[j].inwards * below - origin));
+    }
+    return moments / (moments.x + moments.y + moments.z);
+}
+
+// In texture space the way through a prism is bent. Into how many straight pieces it is cut, so that each is right to a part of the depth.
+int piecesOf(Corner corners[3], Entry entry, float above, Exit exit, vec3 origin, vec3 way, float floorBelow)
+{
+    float middle = 0.5f * (above + exit.below);
+    vec3 off = weightsInSlice(corners, middle, origin, way) - 0.5f * (entry.weights + exit.weights);
+    vec3 bent = vec3(0.0f);
+    for (int i = 0; i < 3; ++i)
+        bent += (corners[i].place + corners[i].inwards * middle - origin) * off[i];
+    float most = length(bent) / (kPrismBend * abs(floorBelow));
+    return abs(exit.below - above) > kPrismBend && most < 1e6f ? int(clamp(ceil(sqrt(most)), 1.0f, 4.0f)) : 1;
+}
 
 // The prism beyond the wall that a ray leaves by.
 Entry beyond(int triangle, Exit exit)
 {
-    Entry entry = Entry(-1, vec3(0.0f));
-    float across = exit.side < 3 ? texelFetch(prismMap, trianglesStart + 2 * triangle + 1)[exit.side] : -1.0f;
+    Entry entry = Entry(-1, -1, vec3(0.0f));
+    float across = exit.side < 3 ? prismTexel(trianglesStart + 2 * triangle + 1)[exit.side] : -1.0f;
     if (across >= 0.0f) {
         entry.triangle = int(across) / 3;
         int edge = int(across) - 3 * entry.triangle;
+        entry.side = edge;
         entry.weights[edge] = exit.weights[exit.side == 2 ? 0 : exit.side + 1];
         entry.weights[edge == 2 ? 0 : edge + 1] = exit.weights[exit.side];
     }
     return entry;
+}
+
+const int kMostPrisms = 512; // a bound on what broken meshes cost; whole ones of half a million triangles keep below it
+const float kUnfinished = 0.75f; // where a search ends that does not come to the floor
+
+// Where a ray ends that goes from prism to prism until it hits the relief or leaves it.
+struct PrismHit {
+    Hit hit; // t is the depth; not found also where the walk has to end before the ray has left the relief
+    vec3 point; // m
+    int triangle; // in whose prism it lies
+    vec4 vertices; // of that
+    vec3 weights; // of its corners there
+};
+
+// A hit between two ways along the ray: where the ray passes the slice of its depth, and nowhere when the relief has turned the triangle over.
+PrismHit walkEndsIn(PrismHit walk, Corner corners[3], vec3 start, vec3 way, float begin, float end)
+{
+    vec3 up = sliceNormal(corners, walk.hit.t);
+    float speed = dot(up, way);
+    float passes = dot(up, corners[0].place + corners[0].inwards * walk.hit.t - start) / speed;
+    bool isSteep = abs(speed) > 1e-6f * length(up); // else the ray lies in the slice
+    walk.point = start + way * (isSteep ? clamp(passes, begin, end) : 0.5f * (begin + end));
+    walk.hit.found = dot(up, sliceNormal(corners, 0.0f)) > 0.0f;
+    return walk;
+}
+
+// start: where the ray meets the outer surface of the triangle; way: unit.
+PrismHit walkPrisms(int triangle, vec3 start, vec3 way, float floorBelow)
+{
+    trianglesStart = int(prismTexel(0).x);
+    Entry entry = Entry(triangle, -1, vec3(0.0f));
+    PrismHit walk = PrismHit(Hit(vec2(0.0f), 0.0f, false, 1), start, triangle, vec4(0.0f), vec3(0.0f));
+    float begin = 0.0f; // m along the way, where the ray comes into the prism
+    float above = 0.0f; // its depth there
+    for (int i = 0; i < kMostPrisms && entry.triangle >= 0; ++i) {
+        Prism prism = prismOf(entry.triangle, floorBelow);
+        if (i == 0)
+            entry.weights = weightsAt(start, prism.corners[0].place, prism.corners[1].place, prism.corners[2].place);
+        vec2 uv = uvBetween(prism.corners, entry.weights);
+        Exit exit = exitFrom(prism.corners, start, way, begin, floorBelow, entry.side);
+        float end = max(exit.way, begin);
+        walk.triangle = entry.triangle;
+        walk.vertices = prism.vertices;
+        walk.hit.fetches += pushOut != 0.0f ? 11 : 8;
+
+        int pieces = piecesOf(prism.corners, entry, above, exit, start + way * begin, way, floorBelow);
+        float fall = (exit.below - above) / float(pieces);
+        for (int k = 1; k <= pieces; ++k) {
+            float below = k == pieces ? exit.below : above + fall;
+            vec3 weights = k == pieces ? exit.weights : weightsInSlice(prism.corners, below, start + way * begin, way);
+            vec2 uvThere = uvBetween(prism.corners, weights);
+            float last = exit.side == 3 && k == pieces ? 1.0f : kUnfinished;
+            curve = vec3(-above, 1.0f - (below - above) / last, 0.0f);
+            Hit hit = trace(Ray(uv, (uvThere - uv) / last, cosineTo(prism.corners, way), last));
+            float share = hit.found ? clamp(hit.t / last, 0.0f, 1.0f) : 1.0f;
+            walk.hit = Hit(hit.found ? hit.uv : uvThere, mix(above, below, share), hit.found, walk.hit.fetches + hit.fetches);
+            walk.weights = mix(entry.weights, weights, share);
+            if (hit.found)
+                return walkEndsIn(walk, prism.corners, start, way, begin, end);
+            uv = uvThere;
+            entry.weights = weights;
+            above = below;
+        }
+        walk.point = start + way * end;
+        entry = beyond(entry.triangle, exit);
+        begin = end;
+    }
+    return walk;
 }

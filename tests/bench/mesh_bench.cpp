@@ -1,6 +1,7 @@
 // Relief on meshes against the displaced mesh: outline and depth for each kind of silhouettes, depth for frames from derivatives; and what
 // each switch costs.
-// mesh_bench [DEPTH] [MESH...]; DEPTH: share of the mesh's longest side; a tile of the texture is a quarter of that side.
+// mesh_bench [--prisms] [DEPTH] [MESH...]; DEPTH: share of the mesh's longest side; a tile of the texture is a quarter of that side.
+// --prisms: only silhouettes by prisms, with relief that stays below white too.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/source.h"
@@ -42,6 +43,55 @@ int refuse(const Error& error)
     return 1;
 }
 
+// The scene's heights, changed one by one.
+void mapHeights(Scene& scene, float (*map)(float))
+{
+    Material material = *scene.resources.material;
+    const HeightField& field = *material.height;
+    std::vector<float> heights(field.texels().begin(), field.texels().end());
+    std::ranges::transform(heights, heights.begin(), map);
+    material.height = HeightField(field.width(), field.height(), std::move(heights), field.wrap(), field.storedBits());
+    scene.resources.material = std::make_shared<const Material>(std::move(material));
+}
+
+struct Relief {
+    const char* label;
+    float (*map)(float);
+};
+constexpr Relief kReliefs[] = {
+    {"white tops", [](float h) { return h; }},
+    {"0 to 0.5", [](float h) { return 0.5f * h; }},
+    {"constant 0.5", [](float) { return 0.5f; }},
+};
+
+// Outline and depth by prisms for each relief.
+int prismTable(Renderer& renderer, const std::vector<std::string>& meshes, float depth)
+{
+    std::printf("Depth %g of the longest side, %dx%d, prisms; outline, depth\n| mesh |", double(depth), kWidth, kHeight);
+    for (const Relief& relief : kReliefs)
+        std::printf(" %s |", relief.label);
+    std::printf("\n|---|---|---|---|\n");
+    for (const std::string& mesh : meshes) {
+        std::string line;
+        for (const Relief& relief : kReliefs) {
+            auto scene = sceneOn(mesh, depth);
+            if (!scene)
+                return refuse(scene.error());
+            mapHeights(*scene, relief.map);
+            Warnings coarse;
+            const auto found = measurePrisms(renderer, scene->state, scene->resources, kWidth, kHeight, coarse);
+            if (!found)
+                return refuse(found.error());
+            char text[64];
+            std::snprintf(text, sizeof text, " %.3f %% / %.2f px |", 100. * found->coverage, found->depthRmse);
+            line += text;
+        }
+        std::printf("| %s |%s\n", mesh.c_str(), line.c_str());
+        std::fflush(stdout);
+    }
+    return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -50,10 +100,15 @@ int main(int argc, char** argv)
     if (!context)
         return refuse(context.error());
     Renderer renderer;
-    const float depth = argc > 1 ? float(std::atof(argv[1])) : 0.02f;
-    std::vector<std::string> meshes(argv + std::min(argc, 2), argv + argc);
+    std::vector<std::string> meshes(argv + 1, argv + argc);
+    const bool prisms = std::erase(meshes, "--prisms") > 0;
+    const float depth = meshes.empty() ? 0.02f : float(std::atof(meshes.front().c_str()));
+    if (!meshes.empty())
+        meshes.erase(meshes.begin());
     if (meshes.empty())
         meshes = {"sphere", "torus", "cylinder", "plane", "box", "teapot"};
+    if (prisms)
+        return prismTable(renderer, meshes, depth);
     std::printf("Depth %g of the longest side, %dx%d; outline, depth\n"
                 "| mesh | no silhouettes | axes | quadric | prisms | quadric / none | prisms / none | derivatives | thesis "
                 "|\n|---|---|---|---|---|---|---|---|---|\n",

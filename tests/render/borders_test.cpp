@@ -124,6 +124,37 @@ TEST(Prisms, FollowTheMesh)
     }
 }
 
+// Relief whose tops are white touches the polygons everywhere; below them the walls between prisms show whether they are right.
+TEST(Prisms, FollowReliefThatStaysBelowWhite)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    for (const char* mesh : {"torus", "teapot"}) {
+        State state = onMesh(mesh);
+        auto resources = *loadResources(state, {}, {});
+        const glm::vec3 size = resources.mesh->boundsMax - resources.mesh->boundsMin;
+        state.parameters.tiling = 4.f * resources.mesh->metresPerUV / std::max({size.x, size.y, size.z});
+        const HeightField field = *resources.material->height;
+        const auto errorsOf = [&](float scale, float shift) {
+            std::vector<float> heights(field.texels().begin(), field.texels().end());
+            for (float& h : heights)
+                h = h * scale + shift;
+            Material material = *resources.material;
+            material.height = HeightField(field.width(), field.height(), std::move(heights), field.wrap(), field.storedBits());
+            resources.material = std::make_shared<const Material>(std::move(material));
+            Warnings coarse;
+            return measurePrisms(renderer, state, resources, 240, 180, coarse).value_or(MeshRow{{}, 1., 1e9, 0., 0.});
+        };
+        const MeshRow white = errorsOf(1.f, 0.f), half = errorsOf(0.5f, 0.f), constant = errorsOf(0.f, 0.5f);
+        for (const MeshRow& row : {half, constant}) {
+            EXPECT_LE(row.coverage, std::max(2. * white.coverage, 0.001)) << mesh;
+            EXPECT_LT(row.depthRmse, 3.) << mesh;
+            EXPECT_EQ(row.invalid, 0.) << mesh;
+        }
+    }
+}
+
 // What pictures say of the light, and what lies between the light and the point on the displaced mesh.
 TEST(Prisms, ShadowsAreThoseOfTheDisplacedMesh)
 {

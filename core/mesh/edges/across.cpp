@@ -12,6 +12,7 @@ namespace relievo {
 namespace {
 constexpr std::size_t kMostAtEdge = 16; // of more triangles at one edge no one can say which goes on
 constexpr float kHard = 0.866f; // cosine between normals; sheets that lean less overlap enough to be taken for one
+constexpr float kFolded = -0.8f; // triangles back to back are no surface that goes on
 
 const Vertex& corner(const Mesh& mesh, std::uint32_t edge)
 {
@@ -27,8 +28,9 @@ float cosineBetween(const Mesh& mesh, std::uint32_t edge, std::uint32_t other)
 
 bool goesOn(const Mesh& mesh, std::uint32_t edge, std::uint32_t other)
 {
-    if (cosineBetween(mesh, edge, other) > kHard)
-        return true;
+    const float cosine = cosineBetween(mesh, edge, other);
+    if (cosine > kHard || cosine < kFolded)
+        return cosine > kHard;
     const Vertex &a = corner(mesh, edge), &b = corner(mesh, nextCorner(edge));
     const glm::vec3 beyond = corner(mesh, nextCorner(nextCorner(other))).position - a.position;
     return glm::dot(beyond, a.normal + b.normal) > 0.f; // a concave edge

@@ -17,8 +17,8 @@ inline std::uint32_t nextCorner(std::uint32_t edge)
 }
 
 // For each edge the one that runs back along it in another triangle; kNoEdge at a border of the surface: where there is no second triangle,
-// and at convex edges where the normals differ by more than 30 degrees, since displaced surfaces part there, and where more than 16 run
-// back. An edge without length has none. UV seams are no borders.
+// at convex edges where the normals differ by more than 30 degrees, since displaced surfaces part there, where the triangles lie back to
+// back, and where more than 16 run back. An edge without length has none. UV seams are no borders.
 std::vector<std::uint32_t> edgesAcross(const Mesh& mesh);
 
 } // namespace relievo
