@@ -56,8 +56,7 @@ ProgramFeatures featuresOf(const Frame& frame, EnumSet<MapKind> maps, MeshUpload
     ProgramFeatures features = programFeatures(frame.parameters, frame.technique, frame.view, maps, request.target().linear);
     features.posed = bool(request.resources().mesh->deformation);
     features.onMesh = !frame.view.fileOnMesh.empty() && request.exact();
-    const bool walksOneRay = frame.view.isAgainstExact && !features.onMesh; // prisms are walked from one to the next
-    features.prisms = features.prisms && !walksOneRay && mesh.hasPrisms();
+    features.prisms = features.prisms && mesh.hasPrisms();
     features.borders = features.curved && !features.prisms && mesh.hasBorders();
     return features;
 }

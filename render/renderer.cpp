@@ -9,6 +9,7 @@
 #include "render/pane_values.h"
 #include "render/passes.h"
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace relievo {
@@ -77,6 +78,42 @@ Expected<Measurement> Renderer::measure(const State& state, std::size_t pane, co
     result.meanFetches /= std::max(covered, 1.);
     result.covered = covered / double(width * height);
     return result;
+}
+
+Expected<ErrorNumbers> Renderer::measureError(const DrawRequest& asked)
+{
+    const int width = asked.target().width, height = asked.target().height;
+    if (const auto made = m->measuring.resize(width, height, true); !made)
+        return tl::unexpected(made.error());
+    State state = asked.state();
+    state.parameters.wireframe = false;
+    DrawRequest request(state, asked.pane(), asked.resources(),
+        {.framebuffer = m->measuring.handle(), .width = width, .height = height, .linear = true}, asked.view());
+    request.compareWith(asked.exact());
+    if (const auto drawn = draw(request); !drawn)
+        return tl::unexpected(drawn.error());
+    m->pixels.resize(std::size_t(width) * std::size_t(height) * 4);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, m->pixels.data());
+    ErrorNumbers numbers;
+    double sure = 0., all = 0.;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const float* pixel = &m->pixels[(std::size_t(height - 1 - y) * std::size_t(width) + std::size_t(x)) * 4];
+            const bool covered = pixel[3] > 0.5f, isMissed = !covered && request.exact() && std::isfinite(request.exact()->pixels.at(x, y));
+            if (!covered && !isMissed)
+                continue;
+            all += 1.;
+            if (isMissed ? request.exact()->pixels.isUncertain(x, y) : pixel[0] < 0.f) {
+                numbers.uncertain += 1.;
+                continue;
+            }
+            const double off = isMissed ? 1. : double(pixel[0]);
+            sure += 1.;
+            numbers.rmse += off * off, numbers.wrong += off > kWrongInView;
+        }
+    numbers.rmse = std::sqrt(numbers.rmse / std::max(sure, 1.)), numbers.wrong /= std::max(sure, 1.);
+    numbers.uncertain /= std::max(all, 1.);
+    return numbers;
 }
 
 } // namespace relievo

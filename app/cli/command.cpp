@@ -177,8 +177,9 @@ Result<Scene> openScene(const StateOptions& options, const Progress& progress)
     Scene scene{std::move(opened->state), std::move(*resources), std::move(opened->warnings)};
     for (const Warnings* more : {&scene.resources.material->warnings, &scene.resources.mesh->warnings})
         scene.warnings.insert(scene.warnings.end(), more->begin(), more->end()); // what stands in both is told once
-    if (auto warning = missingClip(scene))
-        scene.warnings.push_back(std::move(*warning));
+    for (auto warning : {missingClip(scene), tooDeep(scene.state, scene.resources)})
+        if (warning)
+            scene.warnings.push_back(std::move(*warning));
     return scene;
 }
 

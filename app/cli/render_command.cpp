@@ -89,7 +89,7 @@ Result<Warnings> render(RenderOptions& options)
             0.5f + 0.5f * float(layers.size() + 1) / float(options.views.size()));
         std::shared_ptr<const ExactDistances> exact;
         if (!row.fileOnMesh.empty() && hasMeshReference(scene->state, scene->resources)) {
-            auto made = exactDistances(scene->state, 0, scene->resources, options.width, options.height, scene->warnings, drawing);
+            auto made = sureDistances(scene->state, 0, scene->resources, options.width, options.height, scene->warnings, drawing);
             if (!made)
                 return problem(made.error());
             exact = std::move(*made);

@@ -19,7 +19,7 @@
 namespace relievo {
 namespace {
 // One for each row of kViews, along the keyboard.
-constexpr std::string_view kViewKeys = "1234567890-";
+constexpr std::string_view kViewKeys = "1234567890-=";
 static_assert(kViewKeys.size() >= kViews.size(), "a view without key");
 constexpr Qt::Key viewKey(std::size_t i)
 {

@@ -33,4 +33,8 @@ bool hasMeshReference(const State& state, const Resources& resources);
 Expected<std::shared_ptr<const ExactDistances>> exactDistances(const State& state, std::size_t pane, const Resources& resources, int width,
     int height, Warnings& coarse, const Progress& progress = {});
 
+// The same, made finer until its own error hardly matters or it takes too much memory; PixelDistances::uncertain says what is left of it.
+Expected<std::shared_ptr<const ExactDistances>> sureDistances(const State& state, std::size_t pane, const Resources& resources, int width,
+    int height, Warnings& coarse, const Progress& progress = {});
+
 } // namespace relievo

@@ -2,7 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/resources.h"
+#include "core/state/techniques.h"
+#include "core/trace/relief_room.h"
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace relievo {
 
@@ -13,6 +17,44 @@ Pose poseOf(const Mesh& mesh, const Parameters& parameters)
     const float length = known ? mesh.deformation->clips[clip].seconds : 0.f;
     return poseAt(mesh, parameters.clip, length > 0.f ? std::fmod(parameters.time, length) : 0.f);
 }
+
+float fittingDepth(const Parameters& parameters, const Resources& resources)
+{
+    const float goesIn = parameters.midlevel - resources.fit.lowest; // share of the depth that lies below the mesh
+    const float metres = physicalDepth(parameters, resources.mesh->metresPerUV); // of `depth`
+    return goesIn > 0.f && metres > 0.f ? resources.fit.room / goesIn * (parameters.depth / metres)
+                                        : std::numeric_limits<float>::infinity();
+}
+
+std::optional<Warning> tooDeep(const State& state, const Resources& resources)
+{
+    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
+        const Parameters parameters = effectiveParameters(state, pane);
+        const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
+        const float fits = fittingDepth(parameters, resources);
+        if (technique && technique->displaces && parameters.depth > fits) {
+            char text[200];
+            std::snprintf(text, sizeof text,
+                "The relief is deeper than the mesh is thick in places: up to a depth of %.2g it fits, now it is %.3g.", double(fits),
+                double(parameters.depth));
+            return Warning{"relief-too-deep", text};
+        }
+    }
+    return {};
+}
+
+namespace {
+void measureFit(Resources& resources)
+{
+    ReliefFit& fit = resources.fit;
+    if (fit.mesh != resources.mesh)
+        fit.room = reliefRoom(*resources.mesh);
+    const auto& height = resources.material->height;
+    if (fit.material != resources.material)
+        fit.lowest = height ? *std::ranges::min_element(height->texels()) : 1.f;
+    fit.mesh = resources.mesh, fit.material = resources.material;
+}
+} // namespace
 
 Expected<Resources> loadResources(const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress)
 {
@@ -41,6 +83,7 @@ Expected<Resources> loadResources(const State& state, const DecodedImages& image
     }
     if (progress.cancelled())
         return cancelled(state.name);
+    measureFit(resources);
     const Progress baking = progress.part(onlyMaps ? 0.f : 0.9f, 1.f);
     if (const auto baked = resources.accelerationMaps.makeFor(state, *resources.material, baking); !baked)
         return tl::unexpected(baked.error());

@@ -11,10 +11,19 @@
 #include "core/mesh/mesh.h"
 #include "core/scene/acceleration_maps.h"
 #include "core/state/state.h"
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace relievo {
+
+// How deep the relief may be: of the mesh and of the heights.
+struct ReliefFit {
+    float room = std::numeric_limits<float>::infinity(); // reliefRoom of the mesh, m
+    float lowest = 0.f; // height of the material, in [0, 1]
+    std::shared_ptr<const void> mesh, material; // that these are of
+};
 
 // Cheap to copy; material, mesh and environment are never null after loadResources.
 struct Resources {
@@ -22,6 +31,7 @@ struct Resources {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Environment> environment;
     AccelerationMaps accelerationMaps; // of the techniques in use
+    ReliefFit fit;
     // What the State named when these were loaded: decides what must be loaded again.
     std::string meshName, environmentName;
 };
@@ -30,6 +40,11 @@ struct Resources {
 // cannot be read is an error; missing maps are warnings in the material. Cancelled: an error of that code.
 Expected<Resources> loadResources(
     const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress = {});
+
+// The largest `depth` parameter at which the relief fits the mesh; infinity when any does.
+float fittingDepth(const Parameters& parameters, const Resources& resources);
+// "relief-too-deep": where a pane's relief is deeper than the mesh is thick, and what depth fits.
+std::optional<Warning> tooDeep(const State& state, const Resources& resources);
 
 // The pose that `clip` and `time` name; the animation repeats.
 Pose poseOf(const Mesh& mesh, const Parameters& parameters);

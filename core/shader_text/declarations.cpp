@@ -65,7 +65,7 @@ std::string uniformDeclarations(const std::string& text)
     declare("sampler2D", "prismImage"); // the same where there are no buffers
     declare("float", "firstTriangle"); // that is drawn, of those in these maps
     declare("samplerCube", "environmentMap");
-    declare("sampler2D", "exactMap"); // distances of the displaced mesh, m; negative: unknown
+    declare("sampler2D", "exactMap"); // distances of the displaced mesh, m, negative: unknown; and how uncertain they are
     declare("sampler2DShadow", "shadowMap");
     declare("samplerBuffer", "poseMap"); // see vertex/place_posed.glsl
     declare("samplerBuffer", "morphMap");

@@ -80,6 +80,23 @@ void searchFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& v
     part.file(technique.file);
 }
 
+// How a pixel's ray goes, and which pixels are cut out.
+void viewRayFiles(Assembly& part, const ViewRow& view, const ProgramFeatures& features)
+{
+    const bool isCompared = view.isAgainstExact && !features.onMesh;
+    if (isCompared)
+        part.file("search/exact_walk.glsl");
+    if (features.prisms)
+        part.file(isCompared ? "view_ray/search_either.glsl" : "view_ray/search_own.glsl").file("view_ray/view_ray_prisms.glsl");
+    else if (features.curved)
+        part.file(features.borders ? "view_ray/borders_cut.glsl" : "view_ray/borders_none.glsl").file("view_ray/view_ray_curved.glsl");
+    else
+        part.file("view_ray/view_ray_straight.glsl");
+    if (isCompared)
+        part.file(features.prisms ? "views/exact_prisms.glsl" : "views/exact_ray.glsl").file("views/exact_once.glsl");
+    part.file(view.showsHoles ? "view_ray/holes_shown.glsl" : isCompared ? "view_ray/holes_exact.glsl" : "view_ray/holes_cut.glsl");
+}
+
 Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderReader& read)
 {
     const TechniqueRow* technique = findTechnique(features.technique);
@@ -122,17 +139,13 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     variantFiles(part, features, ShaderPlace::Surface);
     part.generated(mapFunctions(features.maps, drafted->text));
     searchFiles(part, *technique, *view, features);
-    if (features.curved && !features.prisms)
-        part.file(features.borders ? "view_ray/borders_cut.glsl" : "view_ray/borders_none.glsl");
-    part.file(!features.curved    ? "view_ray/view_ray_straight.glsl"
-                : features.prisms ? "view_ray/view_ray_prisms.glsl"
-                                  : "view_ray/view_ray_curved.glsl")
-        .file(view->showsHoles ? "view_ray/holes_shown.glsl" : "view_ray/holes_cut.glsl");
+    viewRayFiles(part, *view, features);
     body(part);
     if (view->isHeat)
         part.file("output/heat.glsl")
-            .generated(features.linear ? "vec3 writeView(Surface s) { return vec3(viewValue(s)); }"
-                                       : "vec3 writeView(Surface s) { return heat(viewValue(s) * heatScale); }");
+            .generated(features.linear
+                    ? "vec3 writeView(Surface s) { return vec3(viewValue(s)); }"
+                    : "vec3 writeView(Surface s) { float v = viewValue(s); return v < 0.0f ? kNoHeat : heat(v * heatScale); }");
     else if (view->isColor && !features.linear)
         part.file("output/display.glsl").generated("vec3 writeView(Surface s) { return toDisplay(viewColor(s)); }");
     else
@@ -226,7 +239,8 @@ Expected<ProgramText> programForRays(std::string_view technique, const ShaderRea
     accelerationFiles(fragment, *row, "bounds/bounds_exact.glsl", "bounds/volume_exact.glsl");
     fragment.file(row->file);
     if (onPrisms)
-        fragment.file(dialect == Dialect::Desktop ? "view_ray/prism_texels_buffer.glsl" : "view_ray/prism_texels_image.glsl")
+        fragment.file("view_ray/search_own.glsl")
+            .file(dialect == Dialect::Desktop ? "view_ray/prism_texels_buffer.glsl" : "view_ray/prism_texels_image.glsl")
             .file("view_ray/prisms.glsl")
             .file(row->isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
             .file("shadow/prism_light.glsl")

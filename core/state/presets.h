@@ -30,7 +30,7 @@ inline constexpr auto kPresets = std::to_array<PresetRow>({
         R"({"relievo":1,"parameters":{"minSteps":64,"maxSteps":256,"refineSteps":8,"shadows":true},"panes":[{"technique":"relief"}]})",
         "Many steps: for stills and for judging the others."},
     {"teapot-cobbles", "Teapot, cobbles", "cobblestones",
-        R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.12,"silhouettes":"prisms","depthOfHit":true,"shadows":true},"camera":{"yaw":30,"pitch":20,"fov":35},"panes":[{"technique":"relief"}]})",
+        R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.1,"silhouettes":"prisms","depthOfHit":true,"shadows":true},"camera":{"yaw":30,"pitch":20,"fov":35},"panes":[{"technique":"relief"}]})",
         "A pot in stones, as in Policarpo, Oliveira and Comba 2005, with silhouettes."},
     {"teapot-scales", "Teapot, scales", "scales",
         R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.08,"silhouettes":"prisms","depthOfHit":true,"shadows":true},"camera":{"yaw":30,"pitch":20,"fov":35},"panes":[{"technique":"relief"}]})",

@@ -75,16 +75,15 @@ inline constexpr auto kViews = std::to_array<ViewRow>({
         .light = ViewLight::All,
         .help = "Pixels whose light is not a number, from broken meshes or maps. There should be none."},
     {.key = "error",
-        .label = "Error",
+        .label = "Error, search",
         .file = "views/error.glsl",
-        .fileOnMesh = "views/error_on_mesh.glsl",
         .unit = "depth",
         .isHeat = true,
         .isAgainstExact = true,
         .range = &Parameters::errorRange,
         .help
-        = "Difference from the exact answer at full resolution, as a share of the depth: of the depth found from the exact first hit on a "
-          "plane, of the point seen from the displaced mesh itself on others."},
+        = "How wrong the search is: difference from the exact first hit along the same ray, straight, bent or through prisms, at full "
+          "resolution, as a share of the depth; 1 where it misses."},
     {.key = "overshoot",
         .label = "Overshoot",
         .file = "views/overshoot.glsl",
@@ -94,6 +93,17 @@ inline constexpr auto kViews = std::to_array<ViewRow>({
         .range = &Parameters::errorRange,
         .help = "How far the search goes through the first surface of the flat relief, as a share of the depth; 0 where it stops at it or "
                 "before."},
+    {.key = "error-mesh",
+        .label = "Error, displaced mesh",
+        .file = "views/error.glsl",
+        .fileOnMesh = "views/error_on_mesh.glsl",
+        .unit = "depth",
+        .isHeat = true,
+        .isAgainstExact = true,
+        .range = &Parameters::errorRange,
+        .help
+        = "How wrong the picture is: difference of the point seen from the really displaced mesh, as a share of the depth; silhouettes "
+          "and curvature count too. Grey: the displaced mesh is itself too coarse there to tell. On a plane the same as the search's."},
 });
 
 const ViewRow* findView(std::string_view key); // nullptr when unknown

@@ -7,6 +7,7 @@
 #include "core/mesh/frames/push.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/state.h"
+#include "core/trace/relief_room.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -93,18 +94,6 @@ std::uint32_t gridIndex(std::uint32_t i, std::uint32_t j)
     return i * (i + 1) / 2 + j;
 }
 
-// Whether the triangle moved in by a share of the depth faces the other way.
-bool isTurned(const Base& base, const std::uint32_t* corners, float below)
-{
-    glm::vec3 places[3], moved[3];
-    for (int k = 0; k < 3; ++k) {
-        places[k] = base.position(corners[k]);
-        moved[k] = places[k] - base.mesh.vertices[corners[k]].normal * (base.uniforms.reliefDepth * below);
-    }
-    const auto up = [](const glm::vec3* p) { return glm::cross(p[1] - p[0], p[2] - p[0]); };
-    return glm::dot(up(moved), up(places)) < 0.f;
-}
-
 // The grid of one triangle: (pieces + 1) (pieces + 2) / 2 points and pieces^2 micro-triangles; turned: of each of these.
 void cut(const Base& base, const std::uint32_t* corners, float relief, std::uint32_t pieces, float* vertices, std::uint32_t firstVertex,
     std::uint32_t* triangles, char* turned)
@@ -118,10 +107,11 @@ void cut(const Base& base, const std::uint32_t* corners, float relief, std::uint
             float* out = vertices + std::size_t(gridIndex(i, j)) * 3;
             out[0] = point.x, out[1] = point.y, out[2] = point.z;
         }
-    const bool mayTurn = isTurned(base, corners, relief);
+    const auto& v = base.mesh.vertices;
+    const float turns = turningDepth(v[corners[0]], v[corners[1]], v[corners[2]]);
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, glm::vec3 first) {
         *triangles++ = firstVertex + a, *triangles++ = firstVertex + b, *triangles++ = firstVertex + c;
-        *turned++ = mayTurn && isTurned(base, corners, base.below(corners, first, relief));
+        *turned++ = base.below(corners, first, relief) * base.uniforms.reliefDepth > turns;
     };
     for (std::uint32_t i = 0; i < pieces; ++i)
         for (std::uint32_t j = 0; j <= i; ++j) {
@@ -181,12 +171,12 @@ Plan plan(const Base& base, const DisplacedMesh::Detail& detail)
     double total = 0.;
     for (const double w : wanted)
         total += w * w;
-    const double scale = std::min(1., std::sqrt(double(detail.maxTriangles) / std::max(total, 1.)));
+    const double scale = std::min(1. / double(detail.coarser), std::sqrt(double(detail.maxTriangles) / std::max(total, 1.)));
     Plan result;
-    result.coarseness = float(1. / scale);
+    result.coarseness = float(std::max(1., 1. / scale));
     std::size_t vertices = 0, triangles = 0;
     for (const double w : wanted) {
-        const auto pieces = std::uint32_t(std::clamp(scale < 1. ? std::floor(w * scale) : std::ceil(w), 1., 4096.));
+        const auto pieces = std::uint32_t(std::clamp(scale < 1. ? std::floor(w * scale) : std::ceil(w * scale), 1., 4096.));
         result.firstVertex.push_back(vertices), result.firstTriangle.push_back(triangles);
         result.pieces.push_back(pieces);
         vertices += std::size_t(pieces + 1) * (pieces + 2) / 2, triangles += std::size_t(pieces) * pieces;
@@ -331,7 +321,7 @@ float DisplacedMesh::coarseness() const
 Expected<PixelDistances> pixelDistances(
     const DisplacedMesh& surface, const CameraView& camera, int width, int height, const Progress& progress)
 {
-    PixelDistances seen{width, height, surface.triangles(), std::vector<float>(std::size_t(width) * std::size_t(height))};
+    PixelDistances seen{width, height, surface.triangles(), std::vector<float>(std::size_t(width) * std::size_t(height)), {}};
     const glm::mat4 worldFromClip = glm::inverse(camera.clipFromView * camera.viewFromWorld);
     std::atomic<int> done = 0;
     tbb::parallel_for(0, height, [&](int y) {

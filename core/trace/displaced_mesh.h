@@ -8,6 +8,7 @@
 #include "core/mesh/mesh.h"
 #include "core/state/camera_view.h"
 #include "core/state/parameters.h"
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -23,6 +24,7 @@ public:
     struct Detail {
         float finest = 0.f; // m: no micro-triangle needs to be smaller than this
         std::size_t maxTriangles = 4'000'000; // about 100 bytes each; coarser when it takes more; walls come on top
+        float coarser = 1.f; // how much longer the sides of the micro-triangles are made than half a texel or `finest`
     };
     // Errors: cancelled; Embree cannot start or has no memory.
     static Expected<DisplacedMesh> build(
@@ -33,7 +35,7 @@ public:
     struct Hit {
         float distance = std::numeric_limits<float>::infinity(); // m along the unit direction; infinity when nothing is hit
         bool back = false; // of an open mesh, or of what is turned
-        bool turned = false; // where the mesh's triangle, moved in as far, faces the other way: the relief is deeper than the mesh bends
+        bool turned = false; // its triangle is (turningDepth): the relief is deeper than the mesh bends
     };
     // The first hit. The backs of a closed mesh are not hit unless they are turned: where its sheets part at a hard edge, a ray that only
     // meets their backs goes out again.
@@ -54,7 +56,14 @@ struct PixelDistances {
     // From the eye, row 0 at the top; infinity where nothing is, NaN where pictures have no such surface: where the back of an open mesh is
     // seen, as relief goes in from the side that is seen, and where the relief has turned the surface over.
     std::vector<float> metres;
+    // By how much each may be off because the micro-triangles are not finer, m; infinity where that decides whether there is a surface.
+    // Empty: not known.
+    std::vector<float> uncertain;
 
+    bool isUncertain(int x, int y) const // whether there is a surface at all
+    {
+        return !uncertain.empty() && std::isinf(uncertain[std::size_t(y) * std::size_t(width) + std::size_t(x)]);
+    }
     float at(int x, int y) const { return metres[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 Expected<PixelDistances> pixelDistances(

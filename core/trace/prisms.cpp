@@ -19,6 +19,7 @@ struct PrismMachine : Machine, SceneUniforms {
 
     vec4 prismTexel(int i) const { return texels[i]; }
     Hit trace(Ray ray) { return search(*this, *maps, ray, curve).hit; }
+#include "shaders/view_ray/search_own.glsl"
 #include "shaders/view_ray/prisms.glsl"
 };
 struct ExactPrisms : PrismMachine {

@@ -214,14 +214,18 @@ Texture uploadSlopes(const HeightField& field)
 Texture uploadDistances(const PixelDistances& distances)
 {
     std::vector<float> rows; // OpenGL's first row is the lowest
-    rows.reserve(distances.metres.size());
+    rows.reserve(2 * distances.metres.size());
+    constexpr float kMost = std::numeric_limits<float>::max();
     for (int y = distances.height - 1; y >= 0; --y)
-        for (int x = 0; x < distances.width; ++x)
-            rows.push_back(std::isnan(distances.at(x, y)) ? -1.f : std::min(distances.at(x, y), std::numeric_limits<float>::max()));
+        for (int x = 0; x < distances.width; ++x) {
+            const std::size_t i = std::size_t(y) * std::size_t(distances.width) + std::size_t(x);
+            rows.push_back(std::isnan(distances.metres[i]) ? -1.f : std::min(distances.metres[i], kMost));
+            rows.push_back(distances.uncertain.empty() ? 0.f : std::min(distances.uncertain[i], kMost));
+        }
     Texture texture = newTexture();
     glBindTexture(GL_TEXTURE_2D, *texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, distances.width, distances.height, 0, GL_RED, GL_FLOAT, rows.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, distances.width, distances.height, 0, GL_RG, GL_FLOAT, rows.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     return texture;
 }

@@ -36,7 +36,7 @@ AccelerationUpload uploadAccelerationMap(const AccelerationMap& map, Wrap wrap);
 // A cube map whose levels are those of the environment.
 Texture uploadEnvironment(const Environment& environment);
 
-// Metres from the eye; -1 where they are not known.
+// Metres from the eye, -1 where they are not known; and by how much those may be off.
 Texture uploadDistances(const PixelDistances& distances);
 
 } // namespace relievo

@@ -1,6 +1,8 @@
 // The heat map of measured values: dark blue to yellow, evenly perceived and safe for colour-blind eyes (after viridis).
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
+const vec3 kNoHeat = vec3(0.35f); // of a value that is not known
+
 vec3 heat(float x)
 {
     x = clamp(x, 0.0f, 1.0f) * 6.0f;

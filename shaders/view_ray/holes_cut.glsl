@@ -3,5 +3,5 @@
 // SPDX-License-Identifier: MIT
 bool isHole(Surface surface)
 {
-    return isPastOutline(surface) || opacityAt(surface.hit.uv, surface.footprint) < 0.5f;
+    return isPastOutline(surface.hit) || opacityAt(surface.hit.uv, surface.footprint) < 0.5f;
 }

@@ -219,12 +219,26 @@ const float kUnfinished = 0.75f; // where a search ends that does not come to th
 
 // Where a ray ends that goes from prism to prism until it hits the relief or leaves it.
 struct PrismHit {
-    Hit hit; // t is the depth; not found also where the walk has to end before the ray has left the relief
+    Hit hit; // t is the depth; found also where the walk has to end before the ray has left the relief
     vec3 point; // m
     int triangle; // in whose prism it lies
     vec4 vertices; // of that
     vec3 weights; // of its corners there
 };
+
+// Whether a triangle has turned over on its way in to a depth, once, or twice as beyond the middle of a sphere: its area along its normal is a quadratic
+// of the depth.
+bool isTurned(Corner corners[3], float below)
+{
+    vec3 up = sliceNormal(corners, 0.0f);
+    float whole = dot(up, up);
+    float middle = dot(up, sliceNormal(corners, 0.5f * below));
+    float end = dot(up, sliceNormal(corners, below));
+    float square = 2.0f * (whole + end) - 4.0f * middle; // whole + line s + square s^2 with s from 0 to 1
+    float line = end - whole - square;
+    float least = square > 0.0f ? clamp(-0.5f * line / square, 0.0f, 1.0f) : 1.0f;
+    return min(end, whole + (line + square * least) * least) <= 1e-4f * whole;
+}
 
 // A hit between two ways along the ray: where the ray passes the slice of its depth, and nowhere when the relief has turned the triangle over.
 PrismHit walkEndsIn(PrismHit walk, Corner corners[3], vec3 start, vec3 way, float begin, float end)
@@ -234,7 +248,7 @@ PrismHit walkEndsIn(PrismHit walk, Corner corners[3], vec3 start, vec3 way, floa
     float passes = dot(up, corners[0].place + corners[0].inwards * walk.hit.t - start) / speed;
     bool isSteep = abs(speed) > 1e-6f * length(up); // else the ray lies in the slice
     walk.point = start + way * (isSteep ? clamp(passes, begin, end) : 0.5f * (begin + end));
-    walk.hit.found = dot(up, sliceNormal(corners, 0.0f)) > 0.0f;
+    walk.hit.found = !isTurned(corners, walk.hit.t);
     return walk;
 }
 
@@ -265,7 +279,7 @@ PrismHit walkPrisms(int triangle, vec3 start, vec3 way, float floorBelow)
             vec2 uvThere = uvBetween(prism.corners, weights);
             float last = exit.side == 3 && k == pieces ? 1.0f : kUnfinished;
             curve = vec3(-above, 1.0f - (below - above) / last, 0.0f);
-            Hit hit = trace(Ray(uv, (uvThere - uv) / last, cosineTo(prism.corners, way), last));
+            Hit hit = searchInPrism(Ray(uv, (uvThere - uv) / last, cosineTo(prism.corners, way), last));
             float share = hit.found ? clamp(hit.t / last, 0.0f, 1.0f) : 1.0f;
             walk.hit = Hit(hit.found ? hit.uv : uvThere, mix(above, below, share), hit.found, walk.hit.fetches + hit.fetches);
             walk.weights = mix(entry.weights, weights, share);
@@ -279,5 +293,6 @@ PrismHit walkPrisms(int triangle, vec3 start, vec3 way, float floorBelow)
         entry = beyond(entry.triangle, exit);
         begin = end;
     }
+    walk.hit.found = entry.triangle >= 0; // the walk had to end before the ray has left the relief
     return walk;
 }

@@ -110,7 +110,7 @@ Ray lightRay(Surface surface, vec3 toLight)
     return ray;
 }
 
-bool isPastOutline(Surface surface)
+bool isPastOutline(Hit hit)
 {
-    return !surface.hit.found || crossesBorder(textureUv, surface.hit.uv);
+    return !hit.found || crossesBorder(textureUv, hit.uv);
 }

@@ -25,11 +25,16 @@ Frame frameBetween(vec4 vertices, vec3 weights)
         alongU * meshFromTexture[1][0] + alongV * meshFromTexture[1][1]);
 }
 
+PrismHit walkFromPixel(Surface surface)
+{
+    float floorBelow = gl_FrontFacing ? surface.depth : -surface.depth;
+    return walkPrisms(gl_PrimitiveID + int(firstTriangle), position, -surface.toEye, floorBelow);
+}
+
 // What the pixel sees: fills hit, point, and the frame there.
 Surface searched(Surface surface)
 {
-    float depth = gl_FrontFacing ? surface.depth : -surface.depth;
-    PrismHit walk = walkPrisms(gl_PrimitiveID + int(firstTriangle), position, -surface.toEye, depth);
+    PrismHit walk = walkFromPixel(surface);
     seenTriangle = walk.triangle;
     surface.hit = walk.hit;
     surface.point = walk.point;
@@ -37,7 +42,7 @@ Surface searched(Surface surface)
     return surface;
 }
 
-bool isPastOutline(Surface surface)
+bool isPastOutline(Hit hit)
 {
-    return !surface.hit.found;
+    return !hit.found;
 }

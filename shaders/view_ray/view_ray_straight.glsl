@@ -24,7 +24,7 @@ Ray lightRay(Surface surface, vec3 toLight)
     return ray;
 }
 
-bool isPastOutline(Surface surface)
+bool isPastOutline(Hit hit)
 {
     return false;
 }

@@ -1,12 +1,14 @@
-// By how much the depth found exceeds that of the exact first hit, as a share of the relief's depth.
+// By how much the depth found exceeds that of the exact first hit, as a share of the relief's depth; 1 where the search misses it, -1 where it finds
+// what is not there.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "search/exact_walk.glsl"
-
 float depthDifference(Surface surface)
 {
     if (surface.depth <= 0.0f)
         return 0.0f; // a plain part has no relief to be wrong about
-    float exact = exactDepth(viewRay(surface.start, surface.toEye, surface.depth));
-    return surface.hit.t - (exact - bendFrom(exact).x);
+    Exact exact = exactOf(surface);
+    bool found = !isPastOutline(surface.hit);
+    if (found != exact.found)
+        return found ? -1.0f : 1.0f;
+    return clamp(exact.ahead, -1.0f, 1.0f);
 }

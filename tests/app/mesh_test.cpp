@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/animation_bar.h"
 #include "app/window/viewport/mesh_reference.h"
+#include "app/window/viewport/overlays.h"
 #include "tests/app/window_support.h"
 #include <QBuffer>
 #include <QComboBox>
@@ -10,6 +11,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QToolButton>
+#include <algorithm>
 
 using namespace relievo;
 
@@ -36,6 +38,30 @@ TEST_F(WindowTest, AnimationPlaysPausesAndScrubsWithoutUndoSteps)
     ASSERT_TRUE(waitFor([&] { return bar.isHidden(); }));
 }
 
+// In one undo step with it; deeper is the artist's to choose, and is told.
+TEST_F(WindowTest, ANewMeshStartsWithADepthThatFitsIt)
+{
+    const float before = 0.15f;
+    window.document().edit("deep", [](State& s) { s.parameters.depth = 0.15f; });
+    const int stepsBefore = steps();
+    window.maps().setMesh("character");
+    ASSERT_TRUE(waitFor([&] { return state().mesh == "character" && window.assets().upToDate(); }));
+    EXPECT_EQ(steps(), stepsBefore + 1);
+    EXPECT_LT(state().parameters.depth, before);
+    EXPECT_LE(state().parameters.depth, fittingDepth(state().parameters, window.assets().resources()));
+    EXPECT_GT(state().parameters.depth, 0.85f * fittingDepth(state().parameters, window.assets().resources()));
+    const auto isTold = [&] {
+        return std::ranges::any_of(window.messages().all(), [](const Message& m) { return m.text.contains("deeper than the mesh"); });
+    };
+    EXPECT_FALSE(isTold());
+    window.document().edit("deeper", [](State& s) { s.parameters.depth = 0.2f; });
+    EXPECT_TRUE(isTold());
+    window.document().undoStack().undo();
+    EXPECT_FALSE(isTold());
+    window.document().undoStack().undo();
+    EXPECT_EQ(state().parameters.depth, before);
+}
+
 TEST_F(WindowTest, ALoadThatIsNoLongerWantedIsDropped)
 {
     window.maps().setMesh("torus");
@@ -54,16 +80,23 @@ TEST_F(WindowTest, TheErrorViewAtRestIsThatOfTheDisplacedMesh)
     const MeshReference* reference = &window.viewport().reference();
     settle();
     EXPECT_FALSE(reference->exactOf(0)); // nothing is made for other views
-    window.document().edit("view", [](State& s) { setView(s, "error"); });
+    window.document().edit("view", [](State& s) { setView(s, "error-mesh"); });
     ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled() && reference->exactOf(0); }));
     const QImage seen = window.viewport().picture();
     EXPECT_EQ(reference->exactOf(0)->pixels.width, seen.width());
     EXPECT_EQ(reference->exactOf(0)->pixels.height, seen.height());
+    const auto caption = [&] { return window.viewport().findChild<PaneCaption*>()->accessibleName(); };
+    ASSERT_TRUE(waitFor([&] { return caption().contains("wrong"); }));
+    EXPECT_TRUE(caption().contains("fetches/px") && caption().contains("RMSE 0.")) << caption().toStdString();
     window.document().edit("view", [](State& s) { s.camera.yaw += 10.f; });
     EXPECT_FALSE(reference->exactOf(0)); // what is seen changed
+    ASSERT_TRUE(waitFor([&] { return caption().contains("tracing"); })) << caption().toStdString();
     ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled() && reference->exactOf(0); }));
     window.document().edit("view", [](State& s) { setView(s, "shaded"); });
     EXPECT_FALSE(reference->busy());
+    EXPECT_FALSE(reference->exactOf(0));
+    window.document().edit("view", [](State& s) { setView(s, "error"); }); // of the search: nothing has to be traced
+    ASSERT_TRUE(waitFor([&] { return caption().contains("wrong"); }));
     EXPECT_FALSE(reference->exactOf(0));
 }
 

@@ -179,6 +179,8 @@ TEST_F(TrialTest, EveryViewHasAKey)
     EXPECT_EQ(state().panes.front().view, "error");
     QTest::keyClick(&window, Qt::Key_Minus);
     EXPECT_EQ(state().panes.front().view, "overshoot");
+    QTest::keyClick(&window, Qt::Key_Equal);
+    EXPECT_EQ(state().panes.front().view, "error-mesh");
 }
 
 TEST_F(TrialTest, TabGoesThroughOneSectionAfterTheOther)

@@ -108,7 +108,7 @@ const Scene kScenes[] = {
     {"outlines-error", {1600, 1000}, Look::Dark,
         [](MainWindow& window) {
             outlines(window);
-            window.setView("error");
+            window.setView("error-mesh");
         }},
     {"scene", {1280, 800}, Look::Dark,
         [](MainWindow& window) { window.assets().openDocument("scene:interpenetration", window.document().state()); }},

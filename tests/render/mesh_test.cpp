@@ -112,7 +112,25 @@ TEST(Interpenetration, ReliefMeetsPlainSpheresWhereTheyDo)
     EXPECT_LT(with->depthRmse, 0.5 * without->depthRmse) << without->depthRmse;
 }
 
-// The error view on a mesh sees what silhouettes and frames get wrong, not the search alone.
+namespace {
+// Of the covered pixels of a view of errors.
+double meanOf(Renderer& renderer, const State& state, Resources& resources, const char* view,
+    const std::shared_ptr<const ExactDistances>& exact = nullptr)
+{
+    State plain = state;
+    plain.parameters.background = Backdrop::Transparent;
+    const Image image = *drawPicture(renderer, plain, 0, resources, view, 320, 240, 1, true, exact);
+    double sum = 0., pixels = 0.;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            if (image.value(x, y, 3) > 0.5f)
+                sum += double(std::abs(image.value(x, y, 0))), pixels += 1.;
+    EXPECT_GT(pixels, 5000.) << view;
+    return sum / std::max(pixels, 1.);
+}
+} // namespace
+
+// Against the displaced mesh: what silhouettes and frames get wrong, not the search alone.
 TEST(ErrorView, MeasuresAgainstTheDisplacedMesh)
 {
     const auto context = WindowlessContext::create();
@@ -123,16 +141,7 @@ TEST(ErrorView, MeasuresAgainstTheDisplacedMesh)
     std::shared_ptr<const ExactDistances> exact;
     const auto mean = [&](Silhouettes silhouettes) {
         state.parameters.silhouettes = silhouettes;
-        State plain = state;
-        plain.parameters.background = Backdrop::Transparent;
-        const Image image = *drawPicture(renderer, plain, 0, resources, "error", 320, 240, 1, true, exact);
-        double sum = 0., pixels = 0.;
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x)
-                if (image.value(x, y, 3) > 0.5f)
-                    sum += double(image.value(x, y, 0)), pixels += 1.;
-        EXPECT_GT(pixels, 5000.);
-        return sum / std::max(pixels, 1.);
+        return meanOf(renderer, state, resources, "error-mesh", exact);
     };
     EXPECT_LT(mean(Silhouettes::Off), 0.001); // cell-cone's search alone
     Warnings coarse;
@@ -145,6 +154,94 @@ TEST(ErrorView, MeasuresAgainstTheDisplacedMesh)
     EXPECT_LT(prisms, 0.02);
     state.camera.yaw += 1.f; // the answer is another picture's: not used
     EXPECT_LT(mean(Silhouettes::Off), 0.001);
+}
+
+// Against the exact search along the same ray: techniques can be ranked on any mesh, whatever bends the ray.
+TEST(ErrorView, RanksSearchesOnCurvedMeshes)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    for (const Silhouettes silhouettes : {Silhouettes::Off, Silhouettes::Quadric, Silhouettes::Prisms}) {
+        State state = stateOn("torus");
+        Parameters& p = state.parameters;
+        p.silhouettes = silhouettes, p.refineSteps = 0;
+        Resources resources = resourcesOf(state);
+        Renderer renderer;
+        const auto mean = [&](const char* technique, int steps) {
+            p.minSteps = p.maxSteps = steps;
+            state.panes = {Pane{technique, {}}};
+            return meanOf(renderer, state, resources, "error");
+        };
+        const double exact = mean("cell-cone", 8), fine = mean("relief", 128), coarse = mean("relief", 6);
+        EXPECT_LT(exact, 0.0005) << wordOf(silhouettes);
+        EXPECT_LT(exact, fine) << wordOf(silhouettes);
+        EXPECT_LT(3. * fine, coarse) << wordOf(silhouettes);
+        EXPECT_GT(coarse, 0.02) << wordOf(silhouettes);
+    }
+}
+
+// What a search misses is an error, not a hole that is passed over.
+TEST(ErrorView, ShowsWhatASearchMisses)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    for (const Silhouettes silhouettes : {Silhouettes::Quadric, Silhouettes::Prisms}) {
+        State state = stateOn("sphere", "steep");
+        Parameters& p = state.parameters;
+        p.silhouettes = silhouettes, p.minSteps = p.maxSteps = 2, p.depth = 0.15f, p.heightMips = false,
+        p.background = Backdrop::Transparent;
+        Resources resources = resourcesOf(state);
+        Renderer renderer;
+        const Image seen = picture(renderer, state, resources, "position"), error = picture(renderer, state, resources, "error");
+        int missed = 0, shown = 0;
+        for (int y = 0; y < seen.height; ++y)
+            for (int x = 0; x < seen.width; ++x)
+                if (seen.value(x, y, 3) < 0.5f && error.value(x, y, 3) > 0.5f)
+                    ++missed, shown += error.value(x, y, 0) > 0.99f;
+        EXPECT_GT(missed, silhouettes == Silhouettes::Prisms ? 2 : 20) << wordOf(silhouettes);
+        EXPECT_EQ(shown, missed) << wordOf(silhouettes);
+    }
+}
+
+// The numbers beside the fetches are those of the picture; where the displaced mesh cannot tell, none count.
+TEST(ErrorView, IsSummedUp)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("torus", "relief");
+    Parameters& p = state.parameters;
+    p.silhouettes = Silhouettes::Prisms, p.minSteps = p.maxSteps = 6, p.background = Backdrop::Transparent;
+    setView(state, "error");
+    Resources resources = resourcesOf(state);
+    const auto numbersOf = [&](const std::shared_ptr<const ExactDistances>& exact) {
+        DrawRequest request(state, 0, resources, {.width = 320, .height = 240});
+        request.compareWith(exact);
+        return renderer.measureError(request).value_or(ErrorNumbers{-1., -1., -1.});
+    };
+    const Image image = picture(renderer, state, resources, "error", 320, 240);
+    double squares = 0., wrong = 0., pixels = 0.;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            if (image.value(x, y, 3) > 0.5f) {
+                const double off = double(image.value(x, y, 0));
+                squares += off * off, wrong += off > kWrongInView, pixels += 1.;
+            }
+    const ErrorNumbers search = numbersOf(nullptr);
+    EXPECT_NEAR(search.rmse, std::sqrt(squares / pixels), 1e-5);
+    EXPECT_NEAR(search.wrong, wrong / pixels, 1e-5);
+    EXPECT_EQ(search.uncertain, 0.);
+    setView(state, "error-mesh");
+    Warnings coarse;
+    const auto traced = *sureDistances(state, 0, resources, 320, 240, coarse);
+    ASSERT_EQ(traced->pixels.uncertain.size(), traced->pixels.metres.size());
+    const ErrorNumbers sure = numbersOf(traced);
+    EXPECT_GT(sure.rmse, 0.005);
+    EXPECT_LT(sure.uncertain, 0.1);
+    auto doubtful = std::make_shared<ExactDistances>(*traced);
+    std::ranges::fill(doubtful->pixels.uncertain, INFINITY);
+    EXPECT_GT(numbersOf(doubtful).uncertain, 0.95);
+    EXPECT_EQ(numbersOf(doubtful).rmse, 0.);
 }
 
 TEST(ObjectShadows, SpheresShadeThePlane)

@@ -133,20 +133,3 @@ TEST(Panes, KeepTheirShadowMaps)
         EXPECT_GT(draw(state, 0, resources), alone);
     }
 }
-
-// Where the error view has to take the quadric instead of prisms, it has the curvature of the pose.
-TEST(Panes, TheErrorViewOfAPoseBendsByIt)
-{
-    const auto context = WindowlessContext::create();
-    ASSERT_TRUE(context);
-    State state = stateOn("sphere", "relief");
-    Parameters& p = state.parameters;
-    p.minSteps = p.maxSteps = 4, p.refineSteps = 0;
-    Resources resources = morphing(resourcesOf(state));
-    const auto errors = [&](Silhouettes silhouettes) {
-        p.silhouettes = silhouettes;
-        Renderer renderer;
-        return picture(renderer, state, resources, "error");
-    };
-    EXPECT_EQ(errors(Silhouettes::Prisms).data, errors(Silhouettes::Quadric).data);
-}

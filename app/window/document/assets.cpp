@@ -175,6 +175,8 @@ void Assets::documentChanged(Changes what)
 {
     if (what & ~(Changes(Change::Camera) | Change::Moment))
         m_messages.clear("load"); // the work goes on without what was refused
+    if (ready() && what & ~(Changes(Change::Camera) | Change::Moment))
+        tellDepth(m_document.state(), resources(), m_messages);
     if (what & ~(Changes(Change::Camera) | Change::Moment | Change::View | Change::Name))
         follow();
 }

@@ -5,6 +5,7 @@
 #include "app/window/document/recent_files.h"
 #include "core/scene/source.h"
 #include <QFileInfo>
+#include <cmath>
 
 namespace relievo {
 namespace {
@@ -43,10 +44,25 @@ void bringMaps(State& state, const Loaded& loaded, bool builtIn)
             set(state.parameters, row, value);
 }
 
+// A mesh that is new to the document starts with a relief that fits it, unless the file says how deep its own is.
+void fitDepth(State& state, const State& base, const Loaded& loaded)
+{
+    if (state.mesh == base.mesh || loaded.shown.mesh || loaded.opened.bringsValues)
+        return;
+    const float fits = fittingDepth(state.parameters, loaded.shown.resources);
+    if (!(state.parameters.depth > fits))
+        return;
+    const double unit = std::pow(10., std::floor(std::log10(double(fits))) - 1.); // two digits
+    state.parameters.depth = float(std::floor(double(fits) / unit) * unit);
+}
+
 void apply(const OpenDocument& job, const Loaded& loaded, Document& document)
 {
     const bool isProject = isProjectFile(job.source.toStdString());
-    document.start(loaded.opened.state, isProject ? QFileInfo(job.source).absoluteFilePath() : QString());
+    State state = loaded.opened.state;
+    if (!isWholeDocument(job.source))
+        fitDepth(state, loaded.base, loaded);
+    document.start(state, isProject ? QFileInfo(job.source).absoluteFilePath() : QString());
     if (job.counted)
         addToRecent(job.source);
 }
@@ -60,6 +76,7 @@ void apply(const OpenInto& job, const Loaded& loaded, Document& document)
 {
     State next = document.state();
     bringMaps(next, loaded, isBuiltInSource(job.source.toStdString()));
+    fitDepth(next, loaded.base, loaded);
     if (job.asStep || editedSince(job.before, document))
         document.edit(QObject::tr("Open %1").arg(QString::fromStdString(next.name)), [&](State& state) { state = next; });
     else
@@ -69,7 +86,10 @@ void apply(const OpenInto& job, const Loaded& loaded, Document& document)
 
 void apply(const EditNeeds& job, const Loaded& loaded, Document& document)
 {
-    document.edit(job.text, loaded.change);
+    document.edit(job.text, [&](State& state) {
+        loaded.change(state);
+        fitDepth(state, loaded.base, loaded);
+    });
 }
 
 void apply(const Follow&, const Loaded&, Document&) { } // it is the data that changes
@@ -107,6 +127,12 @@ void tellShown(const Shown& shown, Messages& messages)
     messages.set("missing", warningsOf(shown));
     messages.set("maps", shown.resources.material->warnings);
     messages.set("mesh", shown.resources.mesh->warnings);
+}
+
+void tellDepth(const State& state, const Resources& resources, Messages& messages)
+{
+    const auto warning = tooDeep(state, resources);
+    messages.set("depth", warning ? Warnings{*warning} : Warnings{});
 }
 
 void tellFollowing(const QString& map, Messages& messages)

@@ -18,6 +18,7 @@ void applyLoaded(const Job& job, const Loaded& loaded, Document& document);
 
 void tellLoaded(const Job& job, const Loaded& loaded, Messages& messages); // before it is shown
 void tellShown(const Shown& shown, Messages& messages);
+void tellDepth(const State& state, const Resources& resources, Messages& messages); // deeper than the mesh is thick
 // map: the acceleration map that is all that is missing, "" when files are.
 void tellFollowing(const QString& map, Messages& messages);
 void tellStopped(const QString& map, Messages& messages);

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/mesh_reference.h"
 #include "core/state/views.h"
+#include <utility>
 
 namespace relievo {
 
@@ -14,6 +15,10 @@ MeshReference::MeshReference(Document& document, Assets& assets, Messages& messa
 {
     connect(&document, &Document::changed, this, &MeshReference::follow);
     connect(&assets, &Assets::resourcesChanged, this, &MeshReference::follow);
+    connect(&m_background, &Background::progressed, this, [this](float share) {
+        if (std::exchange(m_percent, int(share * 100.f)) != int(share * 100.f))
+            Q_EMIT progressed();
+    });
     connect(&m_background, &Background::failed, this, [this](const QString& what) {
         m_told = {{true, tr("The displaced mesh could not be made: %1.").arg(what)}};
         tell();
@@ -84,6 +89,7 @@ void MeshReference::want(const std::vector<PaneArea>& areas)
         return;
     m_areas = areas;
     m_asked = questions(areas);
+    m_percent = 0;
     m_background.start([this, state = m_document.state(), resources = m_assets.resources(), asked = m_asked, kept = m_exact](
                            const Progress& progress) -> Background::Then {
         std::vector<std::shared_ptr<const ExactDistances>> exact(asked.size());
@@ -95,7 +101,7 @@ void MeshReference::want(const std::vector<PaneArea>& areas)
                 continue;
             Warnings coarse;
             const Progress share = progress.part(float(pane) / float(asked.size()), float(pane + 1) / float(asked.size()));
-            auto distances = exactDistances(state, pane, resources, asked[pane]->width, asked[pane]->height, coarse, share);
+            auto distances = sureDistances(state, pane, resources, asked[pane]->width, asked[pane]->height, coarse, share);
             if (!distances)
                 told.append({true, QString::fromStdString(message(distances.error()))});
             else

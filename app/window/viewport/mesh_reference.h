@@ -25,9 +25,11 @@ public:
     // Traces what the panes lack; until then their views measure the search alone, and the message line says so.
     void want(const std::vector<PaneArea>& areas);
     bool busy() const { return m_background.busy(); }
+    int percent() const { return m_percent; } // of what is being traced
 
 Q_SIGNALS:
     void made();
+    void progressed();
 
 private:
     using Questions = std::vector<std::optional<ExactQuestion>>; // of the panes; nothing where the view is another
@@ -39,6 +41,7 @@ private:
     Assets& m_assets;
     Messages& m_messages;
     Background m_background;
+    int m_percent = 0;
     std::vector<std::shared_ptr<const ExactDistances>> m_exact; // of the panes; kept while another view is shown
     QList<Message> m_told; // with it
     Questions m_asked; // answered, being answered, or failed

@@ -56,6 +56,7 @@ PaneCaption::PaneCaption(QWidget* parent) : QAbstractButton(parent)
 
 void PaneCaption::show(const QString& letter, const QString& technique, const QString& cost, bool active)
 {
+    setAccessibleName((letter + u' ' + technique + u' ' + cost).trimmed());
     // Only what differs is painted again: a repaint beside the picture costs as much as a small picture.
     if (std::tie(letter, technique, cost, active) == std::tie(m_letter, m_technique, m_cost, m_active))
         return;

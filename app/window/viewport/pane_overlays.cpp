@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/pane_overlays.h"
 #include "app/window/panels/technique_bar.h"
+#include "app/window/viewport/mesh_reference.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include "core/state/views.h"
@@ -24,6 +25,17 @@ Range rangeOf(const State& state, std::size_t pane)
     const ViewRow* view = findView(state.panes[pane].view);
     return view && view->isHeat ? Range{view, double(heatRange(effectiveParameters(state, pane), *view))} : Range{};
 }
+
+QString costText(const Measurement& measured)
+{
+    QString text = QObject::tr("%1 fetches/px").arg(measured.meanFetches, 0, 'f', 1);
+    if (!measured.error)
+        return text;
+    text += QObject::tr("   RMSE %1, %2 % wrong").arg(measured.error->rmse, 0, 'f', 4).arg(100. * measured.error->wrong, 0, 'f', 1);
+    if (measured.error->uncertain >= 0.001)
+        text += QObject::tr(", %1 % unsure").arg(100. * measured.error->uncertain, 0, 'f', 1);
+    return text;
+}
 } // namespace
 
 PaneOverlays::PaneOverlays(QWidget* viewport, Document& document, std::function<void(std::size_t)> captionPressed)
@@ -44,7 +56,7 @@ void PaneOverlays::makeFor(std::size_t panes)
     }
 }
 
-void PaneOverlays::update(const std::vector<std::optional<Measurement>>& measured, std::size_t activePane)
+void PaneOverlays::update(const std::vector<std::optional<Measurement>>& measured, const MeshReference& reference, std::size_t activePane)
 {
     const State& state = m_document.state();
     const std::size_t count = state.panes.size();
@@ -59,9 +71,9 @@ void PaneOverlays::update(const std::vector<std::optional<Measurement>>& measure
         m_legends[pane]->setVisible(range.view && (pane == 0 || !m_oneLegend));
         if (pane >= count)
             continue;
-        const QString cost = pane < measured.size() && measured[pane]
-            ? QObject::tr("%1 fetches/px").arg(measured[pane]->meanFetches, 0, 'f', 1)
-            : QString();
+        QString cost = pane < measured.size() && measured[pane] ? costText(*measured[pane]) : QString();
+        if (!cost.isEmpty() && reference.busy() && reference.isShown(pane) && !measured[pane]->error)
+            cost += QObject::tr("   tracing %1 %").arg(reference.percent());
         m_captions[pane]->show(count == 1 ? QString() : paneLetter(pane), techniqueText(state, pane), cost, pane == activePane);
         if (range.view)
             m_legends[pane]->show(qt(range.view->label), qt(range.view->unit), range.most);

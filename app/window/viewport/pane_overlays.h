@@ -12,14 +12,16 @@
 
 namespace relievo {
 
+class MeshReference;
+
 // Children of the viewport, which owns them.
 class PaneOverlays {
 public:
     // A caption that is pressed calls captionPressed and then offers the techniques.
     PaneOverlays(QWidget* viewport, Document& document, std::function<void(std::size_t)> captionPressed);
 
-    // What they say. measured: of each pane, where it is known.
-    void update(const std::vector<std::optional<Measurement>>& measured, std::size_t activePane);
+    // What they say. measured: of each pane, where it is known; reference: how far the displaced mesh is.
+    void update(const std::vector<std::optional<Measurement>>& measured, const MeshReference& reference, std::size_t activePane);
     // Where they stand; areas: of the panes, in pixels of the screen.
     void place(const std::vector<PaneArea>& areas, double pixelRatio);
     void say(const QString& hint); // "" for nothing

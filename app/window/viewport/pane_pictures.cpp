@@ -5,6 +5,7 @@
 #include "app/window/viewport/gl_calls.h"
 #include "app/window/viewport/mesh_reference.h"
 #include "app/window/viewport/overlays.h"
+#include "core/state/views.h"
 #include "render/windowless.h"
 #include <QPainter>
 #include <algorithm>
@@ -14,6 +15,8 @@
 namespace relievo {
 
 namespace {
+constexpr int kMeasuredWidth = 480; // pixels
+
 int scaled(int pixels, double scale)
 {
     return std::max(1, int(std::lround(pixels * scale)));
@@ -91,12 +94,28 @@ void PanePictures::show(unsigned framebuffer, const std::vector<PaneArea>& areas
     }
 }
 
+// Of views of errors; against the displaced mesh when that has been traced.
+std::optional<ErrorNumbers> PanePictures::errorOf(const ShownScene& scene, std::size_t pane, const PaneArea& area)
+{
+    const ViewRow* view = findView(scene.state.panes[pane].view);
+    if (!view || !view->isAgainstExact)
+        return {};
+    const double scale = scene.reference.isShown(pane) ? 1. : std::min(1., double(kMeasuredWidth) / area.width);
+    DrawRequest request(scene.state, pane, scene.resources, {.width = scaled(area.width, scale), .height = scaled(area.height, scale)});
+    if (scene.reference.isShown(pane) && !request.compareWith(scene.reference.exactOf(pane)))
+        return {};
+    const auto numbers = m_renderer.measureError(request);
+    return numbers ? std::optional(*numbers) : std::nullopt;
+}
+
 std::vector<std::optional<Measurement>> PanePictures::measure(const ShownScene& scene, const std::vector<PaneArea>& areas)
 {
     std::vector<std::optional<Measurement>> measured(areas.size());
     for (std::size_t pane = 0; pane < areas.size(); ++pane)
-        if (const auto counted = m_renderer.measure(scene.state, pane, scene.resources, areas[pane].aspect()))
+        if (const auto counted = m_renderer.measure(scene.state, pane, scene.resources, areas[pane].aspect())) {
             measured[pane] = *counted;
+            measured[pane]->error = errorOf(scene, pane, areas[pane]);
+        }
     return measured;
 }
 

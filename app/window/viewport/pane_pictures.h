@@ -35,7 +35,7 @@ public:
     // Copies what was drawn into a framebuffer `height` pixels high.
     void show(unsigned framebuffer, const std::vector<PaneArea>& areas, int height);
 
-    // Counts the fetches of each pane; nothing for one that cannot be drawn.
+    // Counts the fetches of each pane, and measures the error where a view shows it; nothing for one that cannot be drawn.
     std::vector<std::optional<Measurement>> measure(const ShownScene& scene, const std::vector<PaneArea>& areas);
     // All panes in full resolution, `samples` pictures averaged in each; null when one of them cannot be drawn.
     QImage sheet(const ShownScene& scene, const std::vector<PaneArea>& areas, int samples);
@@ -49,6 +49,7 @@ private:
     };
     Picture& picture(std::size_t pane);
     Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale, glm::vec2 shift);
+    std::optional<ErrorNumbers> errorOf(const ShownScene& scene, std::size_t pane, const PaneArea& area);
     Renderer m_renderer;
     std::list<Picture> m_pictures; // of the panes in order; these do not move in memory
 };

@@ -45,6 +45,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     connect(&document, &Document::changed, this, &Viewport::documentChanged);
     connect(&document, &Document::gestureEnded, this, [this] { refresh(false); });
     connect(&assets, &Assets::resourcesChanged, this, [this] { refresh(false); });
+    connect(m_reference, &MeshReference::progressed, this, &Viewport::updateOverlays);
     connect(m_reference, &MeshReference::made, this, [this] { refresh(false); });
     connect(m_navigator, &Navigator::pressed, this, [this](std::size_t pane) { setActivePane(int(pane)); });
     connect(m_navigator, &Navigator::wheeled, this, [this] { refresh(true); });
@@ -215,7 +216,7 @@ void Viewport::setActivePane(int pane)
 
 void Viewport::updateOverlays()
 {
-    m_overlays.update(m_measured, std::size_t(m_activePane));
+    m_overlays.update(m_measured, *m_reference, std::size_t(m_activePane));
     m_overlays.place(areas(), devicePixelRatioF());
 }
 

@@ -286,7 +286,7 @@ TEST_F(LoadingTest, AWarningForOnePaneDoesNotKeepTheOtherFromBeingCompared)
     window.document().edit("Panes", [](State& s) {
         s.panes = {Pane{"relief", {{"tiling", 256.f}}}, Pane{"bump", {}}};
         s.camera.distance = 0.05f; // so near that half a pixel is finer than the mesh can be cut
-        setView(s, "error");
+        setView(s, "error-mesh");
     });
     const MeshReference* reference = &window.viewport().reference();
     ASSERT_TRUE(waitFor([&] { return reference->exactOf(0) != nullptr; }, 60000));

@@ -29,7 +29,7 @@ protected:
     {
         window.maps().setMesh("sphere");
         settle();
-        window.document().edit("View", [](State& s) { setView(s, "error"); });
+        window.document().edit("View", [](State& s) { setView(s, "error-mesh"); });
     }
     void traced()
     {
@@ -72,7 +72,7 @@ TEST_F(WaitingTest, WhatWasTracedIsKeptAsLongAsItHolds)
     EXPECT_EQ(seen(), first);
     window.document().edit("View", [](State& s) { setView(s, "shaded"); });
     EXPECT_EQ(seen(), nullptr) << "other views pay nothing";
-    window.document().edit("View", [](State& s) { setView(s, "error"); });
+    window.document().edit("View", [](State& s) { setView(s, "error-mesh"); });
     EXPECT_EQ(seen(), first);
     EXPECT_FALSE(reference().busy());
     for (const char* key : {"depth", "tiling", "rotation"}) {
