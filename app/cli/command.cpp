@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/ground/file.h"
+#include "core/ground/shown_text.h"
 #include "core/image/files/image_file.h"
 #include "core/mesh/animation/pose.h"
 #include "core/state/presets.h"
@@ -229,12 +230,33 @@ void tell(const Warnings& warnings, const Common& common)
 {
     if (!common.quiet)
         for (const Warning& warning : once(warnings))
-            std::fprintf(stderr, "%srelievo: warning: %s\n", std::exchange(progressIsShown, false) ? "\n" : "", warning.text.c_str());
+            std::fprintf(
+                stderr, "%srelievo: warning: %s\n", std::exchange(progressIsShown, false) ? "\n" : "", shownText(warning.text).c_str());
 }
+
+namespace {
+// JSON leaves these as they are, and terminals obey them: DEL, and the second set of control characters.
+std::string withoutControls(const std::string& json)
+{
+    std::string text;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const auto byte = [&json](std::size_t at) { return at < json.size() ? static_cast<unsigned char>(json[at]) : 0; };
+        const bool isSecondSet = byte(i) == 0xC2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xA0;
+        if (byte(i) != 0x7F && !isSecondSet) {
+            text += json[i];
+            continue;
+        }
+        char escape[8];
+        std::snprintf(escape, sizeof escape, "\\u%04x", unsigned(isSecondSet ? byte(++i) : byte(i)));
+        text += escape;
+    }
+    return text;
+}
+} // namespace
 
 void print(const nlohmann::ordered_json& result)
 {
-    std::puts(result.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+    std::puts(withoutControls(result.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)).c_str());
 }
 
 nlohmann::ordered_json warningsJson(const Warnings& warnings)

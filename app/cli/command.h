@@ -62,7 +62,7 @@ Progress shownProgress(const Common& common);
 int tell(const Problem& problem);
 void tell(const Warnings& warnings, const Common& common); // on stderr
 nlohmann::ordered_json warningsJson(const Warnings& warnings);
-void print(const nlohmann::ordered_json& result); // one line on stdout; bytes of file names that are no UTF-8 become U+FFFD
+void print(const nlohmann::ordered_json& result); // one line on stdout; bytes that are no UTF-8 become U+FFFD, control characters escapes
 
 // One function a command: adds its subcommand to `app`; running it sets `exitCode`.
 void addRender(CLI::App& app, int& exitCode);

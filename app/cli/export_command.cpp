@@ -3,10 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/exporters/exporters.h"
+#include "core/ground/shown_text.h"
 #include "core/ground/text.h"
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 namespace relievo::cli {
 
@@ -65,7 +67,7 @@ void addExport(CLI::App& app, int& exitCode)
             print(nlohmann::ordered_json{{"files", files}, {"warnings", warningsJson(exported->warnings)}});
         else if (!options->common.quiet)
             for (const auto& file : exported->files)
-                std::puts(file.c_str());
+                std::puts(isatty(STDOUT_FILENO) ? escaped(file.string()).c_str() : file.c_str());
     });
 }
 

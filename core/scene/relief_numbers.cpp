@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/relief_numbers.h"
 #include "core/ground/file.h"
+#include "core/ground/json_depth.h"
 #include "core/image/material.h"
 #include "core/state/techniques.h"
 #include <algorithm>
@@ -84,7 +85,7 @@ void takeFactors(State& state, const MeshFactors& factors, const MapSlots& maps)
 bool takeReliefJson(const fs::path& folder, State& state, Warnings& warnings)
 {
     const Expected<std::string> text = readText(folder / "relief.json");
-    const json numbers = text ? json::parse(*text, nullptr, false) : json();
+    const json numbers = text && !isNestedTooDeep(*text) ? json::parse(*text, nullptr, false) : json();
     if (!numbers.is_object() || std::isnan(numberOf(numbers, "depthInTiles")) || textOf(numbers, "technique").empty())
         return false;
     for (const auto& [key, parameter] : kReliefNumbers)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/recovery.h"
+#include "core/ground/shown_text.h"
 #include <QAbstractButton>
 #include <QCoreApplication>
 #include <QDateTime>
@@ -119,7 +120,7 @@ void offerLeftBehind(MainWindow& window, const QString& folder)
         return;
     const QString when = QLocale().toString(QFileInfo(copy->file).lastModified(), QLocale::ShortFormat);
     auto* question = new QMessageBox(QMessageBox::NoIcon, QObject::tr("Unsaved work"),
-        QObject::tr("Relievo ended before \"%1\" was saved (%2).").arg(QString::fromStdString(copy->read.state.name), when),
+        QObject::tr("Relievo ended before \"%1\" was saved (%2).").arg(QString::fromStdString(shownName(copy->read.state.name)), when),
         QMessageBox::NoButton, &window);
     question->setObjectName("left-behind");
     question->setAttribute(Qt::WA_DeleteOnClose);
