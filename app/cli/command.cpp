@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "core/gltf/pictures.h"
 #include "core/ground/file.h"
 #include "core/ground/shown_text.h"
 #include "core/image/files/image_file.h"
 #include "core/mesh/animation/pose.h"
+#include "core/scene/inputs.h"
 #include "core/state/presets.h"
 #include "core/state/shapes.h"
 #include "core/state/state_json.h"
@@ -60,6 +62,26 @@ void StateOptions::addTo(CLI::App& command)
         if (row.kind == MapKind::Height)
             deep->excludes(map);
     }
+}
+
+CLI::Option* StateOptions::addOutput(CLI::App& command, const std::string& name, std::string& file, const std::string& help)
+{
+    outputs.push_back(&file);
+    return command.add_option(name, file, help);
+}
+
+CLI::Option* StateOptions::addInput(CLI::App& command, const std::string& name, std::string& file, const std::string& help)
+{
+    inputs.push_back(&file);
+    return command.add_option(name, file, help);
+}
+
+std::vector<fs::path> StateOptions::filesRead() const
+{
+    std::vector<fs::path> files = {fileOfPicture(source), fs::path(source) / "relief.json", preset};
+    for (const std::string* input : inputs)
+        files.emplace_back(*input);
+    return files;
 }
 
 bool StateOptions::changesState() const
@@ -133,6 +155,42 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
 
 } // namespace
 
+namespace {
+// What is read is not replaced, and no output replaces another.
+Result<void> checkOutputs(const StateOptions& options, const std::vector<fs::path>& read)
+{
+    std::vector<fs::path> outputs;
+    for (const std::string* out : options.outputs) {
+        if (const auto kept = refuseToReplace(read, *out); !kept)
+            return problem(kept.error());
+        if (!out->empty() && std::ranges::count(outputs, absolutePath(*out)))
+            return problem({"two outputs would be written to this file", *out, "Give each a name of its own"}, WrongUsage);
+        outputs.push_back(absolutePath(*out));
+    }
+    return {};
+}
+
+std::vector<fs::path> filesRead(const StateOptions& options, const Opened& opened)
+{
+    std::vector<fs::path> read = options.filesRead();
+    const std::vector<fs::path> named = filesOf(opened.state);
+    read.insert(read.end(), named.begin(), named.end());
+    for (const auto& [file, image] : opened.images) // also those that were only looked at
+        read.push_back(fileOfPicture(file));
+    return read;
+}
+
+std::vector<fs::path> picturesOf(const Mesh& mesh)
+{
+    std::vector<fs::path> pictures;
+    for (const MeshMaterial& material : mesh.materials) {
+        const std::vector<fs::path> files = filesOf(material.maps);
+        pictures.insert(pictures.end(), files.begin(), files.end());
+    }
+    return pictures;
+}
+} // namespace
+
 Result<Opened> openState(const StateOptions& options, const Progress& progress)
 {
     Opened opened;
@@ -150,6 +208,8 @@ Result<Opened> openState(const StateOptions& options, const Progress& progress)
         return problem(done.error());
     if (const auto done = applyOptions(options, opened); !done)
         return tl::unexpected(done.error());
+    if (const auto kept = checkOutputs(options, filesRead(options, opened)); !kept)
+        return tl::unexpected(kept.error());
     return opened;
 }
 
@@ -175,6 +235,8 @@ Result<Scene> openScene(const StateOptions& options, const Progress& progress)
     auto resources = loadResources(opened->state, opened->images, {}, progress.part(0.5f, 1.f));
     if (!resources)
         return problem(resources.error());
+    if (const auto kept = checkOutputs(options, picturesOf(*resources->mesh)); !kept)
+        return tl::unexpected(kept.error());
     Scene scene{std::move(opened->state), std::move(*resources), std::move(opened->warnings)};
     for (const Warnings* more : {&scene.resources.material->warnings, &scene.resources.mesh->warnings})
         scene.warnings.insert(scene.warnings.end(), more->begin(), more->end()); // what stands in both is told once

@@ -103,12 +103,12 @@ void addTrace(CLI::App& app, int& exitCode)
     CLI::App* command = app.add_subcommand("trace", "Runs a technique's search on given rays");
     options->state.addTo(*command);
     options->common.addTo(*command);
-    command
-        ->add_option("--rays", options->rays,
+    options->state
+        .addInput(*command, "--rays", options->rays,
             "CSV with the header u,v,du,dv and optionally ,cosView; (du, dv) is the shift of uv over the full depth")
         ->required()
         ->type_name("IN.csv");
-    command->add_option("-o", options->out, "CSV to write: hit,t,u,v,fetches")->required()->type_name("HITS.csv");
+    options->state.addOutput(*command, "-o", options->out, "CSV to write: hit,t,u,v,fetches")->required()->type_name("HITS.csv");
     command->add_option("--device", options->device, "Where the search runs")->check(CLI::IsMember({"cpu", "gl"}))->type_name("cpu|gl");
     command->callback([options, &exitCode] {
         const auto traced = trace(*options);
