@@ -102,7 +102,7 @@ std::string hitsText(std::span<const SearchHit> hits)
     std::string text = "hit,t,u,v,fetches\n";
     text.reserve(hits.size() * 48);
     for (const SearchHit& hit : hits) {
-        text += hit.found ? "1," : "0,";
+        text += hit.isUnfinished ? "-1," : hit.found ? "1," : "0,";
         append(text, hit.t);
         text += ',';
         append(text, hit.uv.x);

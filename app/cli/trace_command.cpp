@@ -52,7 +52,7 @@ Expected<std::vector<SearchHit>> run(const TraceOptions& options, std::string_vi
 
 struct Traced {
     Warnings warnings;
-    std::size_t rays = 0, found = 0;
+    std::size_t rays = 0, found = 0, unfinished = 0;
     double fetches = 0;
 };
 
@@ -91,7 +91,12 @@ Result<Traced> trace(const TraceOptions& options)
     progress.at(1.f);
     traced.rays = hits->size();
     for (const SearchHit& hit : *hits)
-        traced.found += hit.found, traced.fetches += hit.fetches;
+        traced.found += hit.found, traced.unfinished += hit.isUnfinished, traced.fetches += hit.fetches;
+    if (traced.unfinished > 0)
+        traced.warnings.push_back({"rays-unfinished",
+            options.rays + ": " + std::to_string(traced.unfinished) + " of " + std::to_string(traced.rays)
+                + " rays were not finished (hit is -1): they cross more texels than the search may visit. Shorten (du, dv), or use a "
+                  "smaller map."});
     return traced;
 }
 
@@ -119,7 +124,8 @@ void addTrace(CLI::App& app, int& exitCode)
         tell(traced->warnings, options->common);
         if (options->common.json)
             print(nlohmann::ordered_json{{"file", options->out}, {"rays", traced->rays}, {"found", traced->found},
-                {"meanFetches", traced->rays ? traced->fetches / double(traced->rays) : 0.}, {"warnings", warningsJson(traced->warnings)}});
+                {"unfinished", traced->unfinished}, {"meanFetches", traced->rays ? traced->fetches / double(traced->rays) : 0.},
+                {"warnings", warningsJson(traced->warnings)}});
     });
 }
 

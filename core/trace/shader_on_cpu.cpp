@@ -37,6 +37,7 @@ struct Machine : Parameters {
     const AccelerationMap* boundMap = nullptr;
     int heightBytes = 0, boundBytes = 0; // of a texel as it is uploaded
     mutable int bytes = 0; // fetched so far
+    bool gaveUp = false; // as in shaders/search/contract.glsl
 
     static ivec2 textureSize(const HeightField* map, int) { return {map->width(), map->height()}; }
     bool clamped() const { return wrap == Wrap::Clamp; }
@@ -150,6 +151,7 @@ namespace {
 struct CountedHit {
     glsl::Hit hit;
     int bytes;
+    bool gaveUp;
 };
 using Search = CountedHit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glsl::vec3);
 struct SearchRow {
@@ -173,7 +175,7 @@ template <class Technique> CountedHit run(const Parameters& parameters, const Se
         technique.wrap = maps.height->wrap();
     }
     const glsl::Hit hit = technique.trace(ray);
-    return {hit, technique.bytes};
+    return {hit, technique.bytes, technique.gaveUp};
 }
 
 // The generated list again, now as a table.
@@ -183,17 +185,14 @@ const SearchRow kSearches[] = {
 #undef RELIEVO_TECHNIQUE_ROW
 };
 
-bool finite(const SearchRay& r)
-{
-    return std::isfinite(float(r.uv.x)) && std::isfinite(float(r.uv.y)) && std::isfinite(float(r.duv.x)) && std::isfinite(float(r.duv.y));
-}
-
 SearchHit searched(Search search, const Parameters& parameters, const SearchMaps& maps, const SearchRay& ray)
 {
-    if (!finite(ray))
+    if (!isFiniteInFloat(ray))
         return {};
-    const auto [hit, bytes]
-        = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec3(ray.bend));
+    const auto [hit, bytes, gaveUp]
+        = search(parameters, maps, {inFloat(ray.uv), inFloat(ray.duv), float(ray.cosView), 1.f}, glm::vec3(ray.bend));
+    if (gaveUp)
+        return unfinished(ray, hit.fetches, bytes);
     return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches, bytes};
 }
 
