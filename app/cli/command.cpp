@@ -121,6 +121,14 @@ Expected<void> setMaps(const StateOptions& options, Opened& opened)
     return {};
 }
 
+Result<void> checkFile(const std::string& file, const std::string& option)
+{
+    std::error_code code;
+    if (!fs::exists(file, code))
+        return problem({"there is no such file", file, "Check the path of " + option, ErrorCode::NotFound});
+    return {};
+}
+
 Result<void> applyOptions(const StateOptions& options, Opened& opened)
 {
     State& state = opened.state;
@@ -140,12 +148,18 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
     for (const std::string& assignment : options.set)
         if (const auto done = setParameter(state, assignment); !done)
             return problem(done.error(), WrongUsage);
+    const bool isShape = std::ranges::count(kShapes, options.mesh) > 0, isStudio = options.environment == "studio";
     if (!options.mesh.empty()) {
-        state.mesh = std::ranges::count(kShapes, options.mesh) ? options.mesh : absolutePath(options.mesh).string();
+        if (const auto there = isShape ? Result<void>() : checkFile(options.mesh, "--mesh"); !there)
+            return there;
+        state.mesh = isShape ? options.mesh : absolutePath(options.mesh).string();
         state.part.clear();
     }
-    if (!options.environment.empty())
-        state.environment = options.environment == "studio" ? options.environment : absolutePath(options.environment).string();
+    if (!options.environment.empty()) {
+        if (const auto there = isStudio ? Result<void>() : checkFile(options.environment, "--environment"); !there)
+            return there;
+        state.environment = isStudio ? options.environment : absolutePath(options.environment).string();
+    }
     Camera camera = cameraOf(state, 0); // of the pane that is drawn
     if (const auto done = setCamera(camera, options.camera); !done)
         return problem(done.error(), WrongUsage);
@@ -210,6 +224,8 @@ Result<Opened> openState(const StateOptions& options, const Progress& progress)
         return tl::unexpected(done.error());
     if (const auto kept = checkOutputs(options, filesRead(options, opened)); !kept)
         return tl::unexpected(kept.error());
+    const Warnings doubts = doubtsOf(opened.state);
+    opened.warnings.insert(opened.warnings.end(), doubts.begin(), doubts.end());
     return opened;
 }
 
@@ -268,6 +284,16 @@ Progress shownProgress(const Common& common)
         progressIsShown = percent != 100;
     };
     return progress;
+}
+
+int tell(const CLI::App& app, const CLI::ParseError& error, const std::string& command)
+{
+    if (error.get_exit_code() == 0)
+        return app.exit(error);
+    std::string what = error.what();
+    while (!what.empty() && (what.back() == '.' || what.back() == '\n' || what.back() == ' '))
+        what.pop_back();
+    return tell({{what, command, "relievo " + (command.empty() ? command : command + ' ') + "--help lists what there is"}, WrongUsage});
 }
 
 int tell(const Problem& problem)

@@ -58,7 +58,8 @@ inline tl::unexpected<Problem> problem(Error error, int code = Failed)
     return tl::unexpected(Problem{std::move(error), code});
 }
 
-// The State that the options describe, and its data.
+// The State that the options describe, and its data. Files that are named and not there: an error when an option names them; a warning
+// when the State names a mesh or environment, which openScene, needing them, makes an error.
 Result<Opened> openState(const StateOptions& options, const Progress& progress);
 Result<Scene> openScene(const StateOptions& options, const Progress& progress);
 
@@ -67,6 +68,7 @@ Progress shownProgress(const Common& common);
 
 // Prints "relievo: error: ..." and returns the exit code.
 int tell(const Problem& problem);
+int tell(const CLI::App& app, const CLI::ParseError& error, const std::string& command); // also help and version, when these were asked for
 void tell(const Warnings& warnings, const Common& common); // on stderr
 nlohmann::ordered_json warningsJson(const Warnings& warnings);
 void print(const nlohmann::ordered_json& result); // one line on stdout; bytes that are no UTF-8 become U+FFFD, control characters escapes

@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "core/ground/file.h"
 #include "core/ground/shown_text.h"
+#include "core/scene/relief_numbers.h"
 #include "core/state/shapes.h"
 #include <algorithm>
 #include <cstdio>
@@ -40,9 +41,11 @@ Result<Json> infoOf(const InfoOptions& options)
         set.warnings.insert(set.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
         return Json::parse(textureSetJson(set));
     }
-    const auto set = openTextureSet(options.source, progress);
+    auto set = openTextureSet(options.source, progress);
     if (!set)
         return problem(set.error());
+    if (std::optional<Warning> unfinished = unfinishedExport(options.source))
+        set->warnings.push_back(std::move(*unfinished));
     return Json::parse(textureSetJson(*set));
 }
 

@@ -101,7 +101,7 @@ int run(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? Done : WrongUsage;
+        return tell(app, error, argv[1][0] == '-' ? "" : argv[1]);
     }
     return exitCode;
 }

@@ -9,6 +9,7 @@
 #include "core/state/techniques.h"
 #include "core/trace/shader_on_cpu.h"
 #include "render/windowless.h"
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -80,10 +81,18 @@ Result<Traced> trace(const TraceOptions& options)
     const auto rays = readRays(options.rays, parameters.depth);
     if (!rays)
         return problem(rays.error());
+    traced.warnings.insert(traced.warnings.end(), rays->warnings.begin(), rays->warnings.end());
+    const bool isExact = opened->state.panes.front().technique == "reference"; // in double precision
+    const auto odd
+        = std::ranges::count_if(rays->rays, [&](const SearchRay& ray) { return isExact ? !isFinite(ray) : !isFiniteInFloat(ray); });
+    if (odd > 0)
+        traced.warnings.push_back({"rays-not-finite",
+            options.rays + ": " + std::to_string(odd) + " of " + std::to_string(rays->rays.size())
+                + " rays are not finite, and their answer is 0,1,0,0,0. Mend what wrote them."});
     if (options.device == "cpu")
         warnOfOtherTexts(traced.warnings);
     const auto hits
-        = run(options, opened->state.panes.front().technique, parameters, field ? &*field : nullptr, *rays, progress.part(0.4f, 1.f));
+        = run(options, opened->state.panes.front().technique, parameters, field ? &*field : nullptr, rays->rays, progress.part(0.4f, 1.f));
     if (!hits)
         return problem(hits.error());
     if (const auto written = writeAtomically(options.out, hitsText(*hits)); !written)

@@ -39,4 +39,27 @@ Expected<void> refuseToReplace(const std::vector<fs::path>& read, const fs::path
     return {};
 }
 
+Warnings doubtsOf(const State& state)
+{
+    Warnings doubts;
+    const auto isMissing = [](const std::string& file) {
+        std::error_code code;
+        return !file.empty() && !fs::exists(file, code);
+    };
+    if (!std::ranges::count(kShapes, state.mesh) && isMissing(state.mesh))
+        doubts.push_back({"mesh-missing", "The mesh " + state.mesh + " is not there. Put it back, or choose another one."});
+    if (state.environment != "studio" && isMissing(state.environment))
+        doubts.push_back(
+            {"environment-missing", "The environment " + state.environment + " is not there. Put it back, or choose another one."});
+    for (std::size_t i = 0; i < state.panes.size(); ++i) {
+        const Parameters parameters = effectiveParameters(state, i);
+        const Warning warning{"steps-reversed",
+            "Fewest steps (minSteps " + std::to_string(parameters.minSteps) + ") are above most steps (maxSteps "
+                + std::to_string(parameters.maxSteps) + "): frontal views take more steps than grazing ones. Swap them."};
+        if (parameters.minSteps > parameters.maxSteps && !std::ranges::count(doubts, warning))
+            doubts.push_back(warning);
+    }
+    return doubts;
+}
+
 } // namespace relievo

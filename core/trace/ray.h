@@ -40,6 +40,10 @@ inline glm::vec2 inFloat(glm::dvec2 v)
     return {flushed(v.x), flushed(v.y)};
 }
 
+inline bool isFinite(const SearchRay& ray)
+{
+    return std::isfinite(ray.uv.x) && std::isfinite(ray.uv.y) && std::isfinite(ray.duv.x) && std::isfinite(ray.duv.y);
+}
 inline bool isFiniteInFloat(const SearchRay& ray)
 {
     const auto finite = [](glm::dvec2 v) { return std::isfinite(float(v.x)) && std::isfinite(float(v.y)); };

@@ -11,11 +11,6 @@ namespace relievo {
 
 namespace {
 
-bool finite(const SearchRay& ray)
-{
-    return std::isfinite(ray.uv.x) && std::isfinite(ray.uv.y) && std::isfinite(ray.duv.x) && std::isfinite(ray.duv.y);
-}
-
 // One axis of the walk, in texels; texel centres at whole numbers.
 struct Axis {
     double start, slope, inverse;
@@ -57,7 +52,7 @@ int wrapped(std::int64_t cell, int size, Wrap wrap)
 SearchHit exactHit(const HeightField& field, const SearchRay& ray, double raise)
 {
     SearchHit hit;
-    if (!finite(ray))
+    if (!isFinite(ray))
         return hit;
     Axis x(ray.uv.x, ray.duv.x, field.width(), field.wrap()), y(ray.uv.y, ray.duv.y, field.height(), field.wrap());
     if (!std::isfinite(x.slope) || !std::isfinite(y.slope) || !std::isfinite(x.start) || !std::isfinite(y.start))
