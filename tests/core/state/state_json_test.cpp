@@ -4,11 +4,9 @@
 #include "core/ground/file.h"
 #include "core/state/presets.h"
 #include "core/state/state_json.h"
-#include "tests/core/fuzz_rounds.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <random>
 
 using namespace relievo;
 namespace fs = std::filesystem;
@@ -282,25 +280,6 @@ TEST(StateJson, PresetHoldsNoFiles)
     EXPECT_EQ(read->state.parameters, unusualState().parameters);
     EXPECT_EQ(read->state.panes[0].technique, "bump");
     EXPECT_TRUE(read->state.slots[0].empty());
-}
-
-TEST(StateJson, MutatedFilesNeverCrash)
-{
-    const std::string good = toJson(unusualState(), "/a/b");
-    std::mt19937 random(11);
-    const int rounds = fuzzRounds(3000);
-    for (int i = 0; i < rounds; ++i) {
-        std::string text = good;
-        for (int change = 0; change < 3; ++change)
-            text[random() % text.size()] = char(random());
-        const auto read = fromJson(State(), text, "/a/b", "fuzz");
-        if (read) {
-            for (const ParameterRow& row : kParameters)
-                EXPECT_TRUE(inRange(row, get(read->state.parameters, row))) << row.key;
-            EXPECT_GE(read->state.panes.size(), 1u);
-            EXPECT_LE(read->state.panes.size(), kMaxPanes);
-        }
-    }
 }
 
 TEST(File, WritesAreAtomicAndErrorsNameTheFile)
