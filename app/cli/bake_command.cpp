@@ -152,7 +152,7 @@ void addBake(CLI::App& app, int& exitCode)
     options->state.addTo(*command);
     options->common.addTo(*command);
     command->add_option("--map", options->map, "What to bake, see relievo describe maps")->required()->type_name("KEY");
-    command->add_option("-o", options->out, "Image to write; the suffix names the format")->required()->type_name("OUT");
+    options->state.addOutput(*command, "-o", options->out, "Image to write; the suffix names the format")->required()->type_name("OUT");
     command
         ->add_option("--bits", options->bits,
             "Bits a channel; 16 when not given. 8 and 16: stored in [0, 1], ratios and distances as roots, rounded to the safe side; the "

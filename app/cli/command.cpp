@@ -2,9 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/ground/shown_text.h"
 #include "core/image/files/image_file.h"
 #include "core/mesh/animation/pose.h"
+#include "core/scene/inputs.h"
 #include "core/state/presets.h"
 #include "core/state/shapes.h"
 #include "core/state/state_json.h"
@@ -61,6 +64,26 @@ void StateOptions::addTo(CLI::App& command)
     }
 }
 
+CLI::Option* StateOptions::addOutput(CLI::App& command, const std::string& name, std::string& file, const std::string& help)
+{
+    outputs.push_back(&file);
+    return command.add_option(name, file, help);
+}
+
+CLI::Option* StateOptions::addInput(CLI::App& command, const std::string& name, std::string& file, const std::string& help)
+{
+    inputs.push_back(&file);
+    return command.add_option(name, file, help);
+}
+
+std::vector<fs::path> StateOptions::filesRead() const
+{
+    std::vector<fs::path> files = {fileOfPicture(source), fs::path(source) / "relief.json", preset};
+    for (const std::string* input : inputs)
+        files.emplace_back(*input);
+    return files;
+}
+
 bool StateOptions::changesState() const
 {
     const bool mapGiven = std::ranges::any_of(maps, [](const auto& map) { return !map.second.empty(); });
@@ -98,6 +121,14 @@ Expected<void> setMaps(const StateOptions& options, Opened& opened)
     return {};
 }
 
+Result<void> checkFile(const std::string& file, const std::string& option)
+{
+    std::error_code code;
+    if (!fs::exists(file, code))
+        return problem({"there is no such file", file, "Check the path of " + option, ErrorCode::NotFound});
+    return {};
+}
+
 Result<void> applyOptions(const StateOptions& options, Opened& opened)
 {
     State& state = opened.state;
@@ -117,12 +148,18 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
     for (const std::string& assignment : options.set)
         if (const auto done = setParameter(state, assignment); !done)
             return problem(done.error(), WrongUsage);
+    const bool isShape = std::ranges::count(kShapes, options.mesh) > 0, isStudio = options.environment == "studio";
     if (!options.mesh.empty()) {
-        state.mesh = std::ranges::count(kShapes, options.mesh) ? options.mesh : absolutePath(options.mesh).string();
+        if (const auto there = isShape ? Result<void>() : checkFile(options.mesh, "--mesh"); !there)
+            return there;
+        state.mesh = isShape ? options.mesh : absolutePath(options.mesh).string();
         state.part.clear();
     }
-    if (!options.environment.empty())
-        state.environment = options.environment == "studio" ? options.environment : absolutePath(options.environment).string();
+    if (!options.environment.empty()) {
+        if (const auto there = isStudio ? Result<void>() : checkFile(options.environment, "--environment"); !there)
+            return there;
+        state.environment = isStudio ? options.environment : absolutePath(options.environment).string();
+    }
     Camera camera = cameraOf(state, 0); // of the pane that is drawn
     if (const auto done = setCamera(camera, options.camera); !done)
         return problem(done.error(), WrongUsage);
@@ -130,6 +167,42 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
     return {};
 }
 
+} // namespace
+
+namespace {
+// What is read is not replaced, and no output replaces another.
+Result<void> checkOutputs(const StateOptions& options, const std::vector<fs::path>& read)
+{
+    std::vector<fs::path> outputs;
+    for (const std::string* out : options.outputs) {
+        if (const auto kept = refuseToReplace(read, *out); !kept)
+            return problem(kept.error());
+        if (!out->empty() && std::ranges::count(outputs, absolutePath(*out)))
+            return problem({"two outputs would be written to this file", *out, "Give each a name of its own"}, WrongUsage);
+        outputs.push_back(absolutePath(*out));
+    }
+    return {};
+}
+
+std::vector<fs::path> filesRead(const StateOptions& options, const Opened& opened)
+{
+    std::vector<fs::path> read = options.filesRead();
+    const std::vector<fs::path> named = filesOf(opened.state);
+    read.insert(read.end(), named.begin(), named.end());
+    for (const auto& [file, image] : opened.images) // also those that were only looked at
+        read.push_back(fileOfPicture(file));
+    return read;
+}
+
+std::vector<fs::path> picturesOf(const Mesh& mesh)
+{
+    std::vector<fs::path> pictures;
+    for (const MeshMaterial& material : mesh.materials) {
+        const std::vector<fs::path> files = filesOf(material.maps);
+        pictures.insert(pictures.end(), files.begin(), files.end());
+    }
+    return pictures;
+}
 } // namespace
 
 Result<Opened> openState(const StateOptions& options, const Progress& progress)
@@ -149,6 +222,10 @@ Result<Opened> openState(const StateOptions& options, const Progress& progress)
         return problem(done.error());
     if (const auto done = applyOptions(options, opened); !done)
         return tl::unexpected(done.error());
+    if (const auto kept = checkOutputs(options, filesRead(options, opened)); !kept)
+        return tl::unexpected(kept.error());
+    const Warnings doubts = doubtsOf(opened.state);
+    opened.warnings.insert(opened.warnings.end(), doubts.begin(), doubts.end());
     return opened;
 }
 
@@ -174,6 +251,8 @@ Result<Scene> openScene(const StateOptions& options, const Progress& progress)
     auto resources = loadResources(opened->state, opened->images, {}, progress.part(0.5f, 1.f));
     if (!resources)
         return problem(resources.error());
+    if (const auto kept = checkOutputs(options, picturesOf(*resources->mesh)); !kept)
+        return tl::unexpected(kept.error());
     Scene scene{std::move(opened->state), std::move(*resources), std::move(opened->warnings)};
     for (const Warnings* more : {&scene.resources.material->warnings, &scene.resources.mesh->warnings})
         scene.warnings.insert(scene.warnings.end(), more->begin(), more->end()); // what stands in both is told once
@@ -208,6 +287,16 @@ Progress shownProgress(const Common& common)
     return progress;
 }
 
+int tell(const CLI::App& app, const CLI::ParseError& error, const std::string& command)
+{
+    if (error.get_exit_code() == 0)
+        return app.exit(error);
+    std::string what = error.what();
+    while (!what.empty() && (what.back() == '.' || what.back() == '\n' || what.back() == ' '))
+        what.pop_back();
+    return tell({{what, command, "relievo " + (command.empty() ? command : command + ' ') + "--help lists what there is"}, WrongUsage});
+}
+
 int tell(const Problem& problem)
 {
     std::fprintf(stderr, "%srelievo: error: %s\n", std::exchange(progressIsShown, false) ? "\n" : "", message(problem.error).c_str());
@@ -230,12 +319,33 @@ void tell(const Warnings& warnings, const Common& common)
 {
     if (!common.quiet)
         for (const Warning& warning : once(warnings))
-            std::fprintf(stderr, "%srelievo: warning: %s\n", std::exchange(progressIsShown, false) ? "\n" : "", warning.text.c_str());
+            std::fprintf(
+                stderr, "%srelievo: warning: %s\n", std::exchange(progressIsShown, false) ? "\n" : "", shownText(warning.text).c_str());
 }
+
+namespace {
+// JSON leaves these as they are, and terminals obey them: DEL, and the second set of control characters.
+std::string withoutControls(const std::string& json)
+{
+    std::string text;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const auto byte = [&json](std::size_t at) { return at < json.size() ? static_cast<unsigned char>(json[at]) : 0; };
+        const bool isSecondSet = byte(i) == 0xC2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xA0;
+        if (byte(i) != 0x7F && !isSecondSet) {
+            text += json[i];
+            continue;
+        }
+        char escape[8];
+        std::snprintf(escape, sizeof escape, "\\u%04x", unsigned(isSecondSet ? byte(++i) : byte(i)));
+        text += escape;
+    }
+    return text;
+}
+} // namespace
 
 void print(const nlohmann::ordered_json& result)
 {
-    std::puts(result.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+    std::puts(withoutControls(result.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)).c_str());
 }
 
 nlohmann::ordered_json warningsJson(const Warnings& warnings)

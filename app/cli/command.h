@@ -8,6 +8,7 @@
 #include "core/scene/source.h"
 #include "core/state/state.h"
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -32,7 +33,13 @@ struct StateOptions {
     std::vector<std::string> set;
     std::map<std::string, std::string> maps; // by map kind's key
     void addTo(CLI::App& command);
+    // The option of a file to write, and of one to read beside what the State names. openState refuses to open what an output would
+    // replace. `file` must outlive the options and their copies.
+    CLI::Option* addOutput(CLI::App& command, const std::string& name, std::string& file, const std::string& help);
+    CLI::Option* addInput(CLI::App& command, const std::string& name, std::string& file, const std::string& help);
+    std::vector<std::filesystem::path> filesRead() const; // but those that the State names
     bool changesState() const; // anything but SOURCE was given
+    std::vector<const std::string*> outputs, inputs;
 };
 
 struct Scene {
@@ -51,7 +58,8 @@ inline tl::unexpected<Problem> problem(Error error, int code = Failed)
     return tl::unexpected(Problem{std::move(error), code});
 }
 
-// The State that the options describe, and its data.
+// The State that the options describe, and its data. Files that are named and not there: an error when an option names them; a warning
+// when the State names a mesh or environment, which openScene, needing them, makes an error.
 Result<Opened> openState(const StateOptions& options, const Progress& progress);
 Result<Scene> openScene(const StateOptions& options, const Progress& progress);
 
@@ -60,9 +68,10 @@ Progress shownProgress(const Common& common);
 
 // Prints "relievo: error: ..." and returns the exit code.
 int tell(const Problem& problem);
+int tell(const CLI::App& app, const CLI::ParseError& error, const std::string& command); // also help and version, when these were asked for
 void tell(const Warnings& warnings, const Common& common); // on stderr
 nlohmann::ordered_json warningsJson(const Warnings& warnings);
-void print(const nlohmann::ordered_json& result); // one line on stdout; bytes of file names that are no UTF-8 become U+FFFD
+void print(const nlohmann::ordered_json& result); // one line on stdout; bytes that are no UTF-8 become U+FFFD, control characters escapes
 
 // One function a command: adds its subcommand to `app`; running it sets `exitCode`.
 void addRender(CLI::App& app, int& exitCode);

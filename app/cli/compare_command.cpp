@@ -267,8 +267,8 @@ void addCompare(CLI::App& app, int& exitCode)
     command->add_option("--techniques", options->techniques, "Techniques to show, in this order; all when not given")
         ->type_name("KEY,KEY...")
         ->delimiter(',');
-    command->add_option("-o", options->out, "Contact sheet to write, .png")->required()->type_name("SHEET.png");
-    command->add_option("--csv", options->csv, "The figures as CSV: fetches, milliseconds, share of the depth, percent, dB")
+    options->state.addOutput(*command, "-o", options->out, "Contact sheet to write, .png")->required()->type_name("SHEET.png");
+    options->state.addOutput(*command, "--csv", options->csv, "The figures as CSV: fetches, milliseconds, share of the depth, percent, dB")
         ->type_name("FILE");
     command->callback([options, &exitCode] {
         const auto sheet = compare(*options);

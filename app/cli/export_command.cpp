@@ -3,10 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/exporters/exporters.h"
+#include "core/ground/shown_text.h"
 #include "core/ground/text.h"
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 namespace relievo::cli {
 
@@ -30,7 +32,8 @@ Result<Exported> exportScene(const ExportOptions& options)
     const auto scene = openScene(options.state, progress.part(0.f, 0.5f));
     if (!scene)
         return tl::unexpected(scene.error());
-    auto exported = row->run({scene->state, scene->resources, options.out, options.size, progress.part(0.5f, 1.f)});
+    auto exported
+        = row->run({scene->state, scene->resources, options.out, options.size, progress.part(0.5f, 1.f), options.state.filesRead()});
     if (!exported)
         return problem(exported.error());
     progress.at(1.f);
@@ -47,7 +50,9 @@ void addExport(CLI::App& app, int& exitCode)
     options->state.addTo(*command);
     options->common.addTo(*command);
     command->add_option("--target", options->target, "What to write, see relievo describe exports")->required()->type_name("KEY");
-    command->add_option("-o", options->out, "File or folder to write, as the target wants")->required()->type_name("FOLDER|FILE");
+    options->state.addOutput(*command, "-o", options->out, "File or folder to write, as the target wants")
+        ->required()
+        ->type_name("FOLDER|FILE");
     command->add_option("--size", options->size, "Longest side of written textures in texels; each map's own when not given")
         ->check(CLI::Range(1, 16384))
         ->type_name("N");
@@ -65,7 +70,7 @@ void addExport(CLI::App& app, int& exitCode)
             print(nlohmann::ordered_json{{"files", files}, {"warnings", warningsJson(exported->warnings)}});
         else if (!options->common.quiet)
             for (const auto& file : exported->files)
-                std::puts(file.c_str());
+                std::puts(isatty(STDOUT_FILENO) ? escaped(file.string()).c_str() : file.c_str());
     });
 }
 

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/ground/file.h"
+#include "core/ground/shown_text.h"
+#include "core/scene/relief_numbers.h"
 #include "core/state/shapes.h"
 #include <algorithm>
 #include <cstdio>
@@ -39,20 +41,27 @@ Result<Json> infoOf(const InfoOptions& options)
         set.warnings.insert(set.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
         return Json::parse(textureSetJson(set));
     }
-    const auto set = openTextureSet(options.source, progress);
+    auto set = openTextureSet(options.source, progress);
     if (!set)
         return problem(set.error());
+    if (std::optional<Warning> unfinished = unfinishedExport(options.source))
+        set->warnings.push_back(std::move(*unfinished));
     return Json::parse(textureSetJson(*set));
+}
+
+const std::string& textOf(const Json& value)
+{
+    return value.get_ref<const std::string&>();
 }
 
 std::string text(const Json& info)
 {
-    std::string out = info["name"].get<std::string>() + '\n';
+    std::string out = shownName(textOf(info["name"])) + '\n';
     if (info.contains("maps"))
         for (const Json& map : info["maps"]) {
             char range[64];
             std::snprintf(range, sizeof range, "%.4g to %.4g", map["min"].get<double>(), map["max"].get<double>());
-            out += "  " + map["kind"].get<std::string>() + ": " + map["file"].get<std::string>() + " [" + map["channel"].get<std::string>()
+            out += "  " + map["kind"].get<std::string>() + ": " + shownText(textOf(map["file"])) + " [" + map["channel"].get<std::string>()
                 + "], " + map["width"].dump() + " x " + map["height"].dump() + ", " + map["bits"].dump() + " bit, "
                 + map["convention"].get<std::string>() + ", values " + range + '\n';
         }
@@ -63,17 +72,17 @@ std::string text(const Json& info)
             out += std::string("  ") + key + ": " + (info[key].get<bool>() ? "in the file" : "made") + '\n';
         if (info.contains("materials"))
             for (const Json& material : info["materials"]) {
-                out += "  material " + material["name"].get<std::string>() + ':';
+                out += "  material " + shownName(textOf(material["name"])) + ':';
                 for (const auto& [kind, file] : material["maps"].items())
-                    out += ' ' + kind + ' ' + file.get<std::string>();
+                    out += ' ' + kind + ' ' + shownText(textOf(file));
                 out += material["maps"].empty() ? " no maps\n" : "\n";
             }
         for (const Json& clip : info.value("clips", Json::array()))
-            out += "  clip " + clip["name"].get<std::string>() + ": " + clip["seconds"].dump() + " s\n";
+            out += "  clip " + shownName(textOf(clip["name"])) + ": " + clip["seconds"].dump() + " s\n";
         out += "  bounds (m): " + info["bounds"][0].dump() + " to " + info["bounds"][1].dump() + '\n';
     }
     for (const Json& warning : info["warnings"])
-        out += "  warning: " + warning["text"].get<std::string>() + '\n';
+        out += "  warning: " + shownText(textOf(warning["text"])) + '\n';
     return out;
 }
 

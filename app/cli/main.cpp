@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "core/ground/shown_text.h"
 #include "core/maps/map_cache.h"
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -33,7 +34,7 @@ constexpr CommandRow kCommands[] = {{"render", addRender}, {"trace", addTrace}, 
 
 void warnOf(const char* variable, const char* value, const char* cure)
 {
-    std::fprintf(stderr, "relievo: warning: %s=%s %s\n", variable, value, cure);
+    std::fprintf(stderr, "relievo: warning: %s=%s %s\n", variable, shownText(value).c_str(), cure);
 }
 
 // RELIEVO_THREADS bounds the worker threads for as long as the value lives.
@@ -100,7 +101,7 @@ int run(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? Done : WrongUsage;
+        return tell(app, error, argv[1][0] == '-' ? "" : argv[1]);
     }
     return exitCode;
 }

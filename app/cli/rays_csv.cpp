@@ -61,7 +61,7 @@ void append(std::string& text, double value)
 
 } // namespace
 
-Expected<std::vector<SearchRay>> readRays(const std::filesystem::path& file, double depth)
+Expected<RaysRead> readRays(const std::filesystem::path& file, double depth)
 {
     const auto text = readText(file);
     if (!text)
@@ -79,7 +79,8 @@ Expected<std::vector<SearchRay>> readRays(const std::filesystem::path& file, dou
     if (header != "u,v,du,dv" && header != "u,v,du,dv,cosView")
         return failure(file.string(), "the first line is not u,v,du,dv or u,v,du,dv,cosView", "Write that header");
     const std::size_t columns = header.ends_with("cosView") ? 5 : 4;
-    std::vector<SearchRay> rays;
+    RaysRead read;
+    std::size_t outside = 0, firstOutside = 0; // cosines
     for (std::size_t line = 2; !rest.empty(); ++line) {
         const std::string_view content = nextLine();
         if (content.empty())
@@ -90,11 +91,18 @@ Expected<std::vector<SearchRay>> readRays(const std::filesystem::path& file, dou
                 "Separate them by commas");
         SearchRay ray{{(*values)[0], (*values)[1]}, {(*values)[2], (*values)[3]}, 1.};
         ray.cosView = columns == 5 ? std::clamp((*values)[4], 1e-6, 1.) : cosineOf(ray, depth);
+        if (columns == 5 && ((*values)[4] <= 0. || (*values)[4] > 1.) && outside++ == 0)
+            firstOutside = line;
         if (!std::isfinite(ray.cosView)) // such a ray is not finite either
             ray.uv.x = ray.cosView;
-        rays.push_back(ray);
+        read.rays.push_back(ray);
     }
-    return rays;
+    if (outside > 0)
+        read.warnings.push_back({"cosine-range",
+            file.string() + ':' + std::to_string(firstOutside) + ": cosView lies outside (0, 1], and was brought into it ("
+                + std::to_string(outside) + (outside == 1 ? " ray" : " rays")
+                + "). It is the cosine of the angle between view and normal."});
+    return read;
 }
 
 std::string hitsText(std::span<const SearchHit> hits)
@@ -102,7 +110,7 @@ std::string hitsText(std::span<const SearchHit> hits)
     std::string text = "hit,t,u,v,fetches\n";
     text.reserve(hits.size() * 48);
     for (const SearchHit& hit : hits) {
-        text += hit.found ? "1," : "0,";
+        text += hit.isUnfinished ? "-1," : hit.found ? "1," : "0,";
         append(text, hit.t);
         text += ',';
         append(text, hit.uv.x);

@@ -11,9 +11,13 @@
 
 namespace relievo::cli {
 
+struct RaysRead {
+    std::vector<SearchRay> rays;
+    Warnings warnings; // "cosine-range": values of cosView outside (0, 1], which are brought into it
+};
 // Header u,v,du,dv[,cosView]. Without cosView: depth / sqrt(depth^2 + |duv|^2), 1 where that is 0 / 0.
 // Errors name file and line. "nan" and "inf" are numbers here: such a ray is answered, not refused.
-Expected<std::vector<SearchRay>> readRays(const std::filesystem::path& file, double depth);
+Expected<RaysRead> readRays(const std::filesystem::path& file, double depth);
 
 // hit,t,u,v,fetches and one line a hit; numbers read back exactly.
 std::string hitsText(std::span<const SearchHit> hits);

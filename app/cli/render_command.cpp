@@ -116,7 +116,7 @@ void addRender(CLI::App& app, int& exitCode)
     CLI::App* command = app.add_subcommand("render", "One picture of a material");
     options->state.addTo(*command);
     options->common.addTo(*command);
-    command->add_option("-o", options->out, "Picture to write: .png (display values) or .exr (linear float values)")
+    options->state.addOutput(*command, "-o", options->out, "Picture to write: .png (display values) or .exr (linear float values)")
         ->required()
         ->type_name("FILE");
     command->add_option("--size", options->size, "Size in pixels, 1024x768 when not given")->type_name("WxH");

@@ -274,7 +274,7 @@ void addReport(CLI::App& app, int& exitCode)
     command->add_flag("--hard-cases", options->hardCases,
         "Measure on the built-in hard height fields, alone or beside SOURCEs; pictures of four of them");
     command->add_option("MORE", options->more, "Further SOURCEs, measured together with the first")->type_name("");
-    command->add_option("-o", options->out, "Report to write: .html, .json or .csv")->required()->type_name("OUT");
+    options->state.addOutput(*command, "-o", options->out, "Report to write: .html, .json or .csv")->required()->type_name("OUT");
     command->add_option("--techniques", options->techniques, "Only these techniques; all when not given")
         ->type_name("KEY,KEY...")
         ->delimiter(',');

@@ -53,7 +53,7 @@ int startEditor(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         if (argc > 1 && !isSource(argv[1])) // the first word is the mistake, not what follows it
             return noSuchSource(argv[1]);
-        return app.exit(error) == 0 ? Done : WrongUsage;
+        return tell(app, error, "");
     }
     if (!isSource(options.source))
         return noSuchSource(options.source);

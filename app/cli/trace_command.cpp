@@ -9,6 +9,7 @@
 #include "core/state/techniques.h"
 #include "core/trace/shader_on_cpu.h"
 #include "render/windowless.h"
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -52,7 +53,7 @@ Expected<std::vector<SearchHit>> run(const TraceOptions& options, std::string_vi
 
 struct Traced {
     Warnings warnings;
-    std::size_t rays = 0, found = 0;
+    std::size_t rays = 0, found = 0, unfinished = 0;
     double fetches = 0;
 };
 
@@ -80,10 +81,18 @@ Result<Traced> trace(const TraceOptions& options)
     const auto rays = readRays(options.rays, parameters.depth);
     if (!rays)
         return problem(rays.error());
+    traced.warnings.insert(traced.warnings.end(), rays->warnings.begin(), rays->warnings.end());
+    const bool isExact = opened->state.panes.front().technique == "reference"; // in double precision
+    const auto odd
+        = std::ranges::count_if(rays->rays, [&](const SearchRay& ray) { return isExact ? !isFinite(ray) : !isFiniteInFloat(ray); });
+    if (odd > 0)
+        traced.warnings.push_back({"rays-not-finite",
+            options.rays + ": " + std::to_string(odd) + " of " + std::to_string(rays->rays.size())
+                + " rays are not finite, and their answer is 0,1,0,0,0. Mend what wrote them."});
     if (options.device == "cpu")
         warnOfOtherTexts(traced.warnings);
     const auto hits
-        = run(options, opened->state.panes.front().technique, parameters, field ? &*field : nullptr, *rays, progress.part(0.4f, 1.f));
+        = run(options, opened->state.panes.front().technique, parameters, field ? &*field : nullptr, rays->rays, progress.part(0.4f, 1.f));
     if (!hits)
         return problem(hits.error());
     if (const auto written = writeAtomically(options.out, hitsText(*hits)); !written)
@@ -91,7 +100,12 @@ Result<Traced> trace(const TraceOptions& options)
     progress.at(1.f);
     traced.rays = hits->size();
     for (const SearchHit& hit : *hits)
-        traced.found += hit.found, traced.fetches += hit.fetches;
+        traced.found += hit.found, traced.unfinished += hit.isUnfinished, traced.fetches += hit.fetches;
+    if (traced.unfinished > 0)
+        traced.warnings.push_back({"rays-unfinished",
+            options.rays + ": " + std::to_string(traced.unfinished) + " of " + std::to_string(traced.rays)
+                + " rays were not finished (hit is -1): they cross more texels than the search may visit. Shorten (du, dv), or use a "
+                  "smaller map."});
     return traced;
 }
 
@@ -103,12 +117,12 @@ void addTrace(CLI::App& app, int& exitCode)
     CLI::App* command = app.add_subcommand("trace", "Runs a technique's search on given rays");
     options->state.addTo(*command);
     options->common.addTo(*command);
-    command
-        ->add_option("--rays", options->rays,
+    options->state
+        .addInput(*command, "--rays", options->rays,
             "CSV with the header u,v,du,dv and optionally ,cosView; (du, dv) is the shift of uv over the full depth")
         ->required()
         ->type_name("IN.csv");
-    command->add_option("-o", options->out, "CSV to write: hit,t,u,v,fetches")->required()->type_name("HITS.csv");
+    options->state.addOutput(*command, "-o", options->out, "CSV to write: hit,t,u,v,fetches")->required()->type_name("HITS.csv");
     command->add_option("--device", options->device, "Where the search runs")->check(CLI::IsMember({"cpu", "gl"}))->type_name("cpu|gl");
     command->callback([options, &exitCode] {
         const auto traced = trace(*options);
@@ -119,7 +133,8 @@ void addTrace(CLI::App& app, int& exitCode)
         tell(traced->warnings, options->common);
         if (options->common.json)
             print(nlohmann::ordered_json{{"file", options->out}, {"rays", traced->rays}, {"found", traced->found},
-                {"meanFetches", traced->rays ? traced->fetches / double(traced->rays) : 0.}, {"warnings", warningsJson(traced->warnings)}});
+                {"unfinished", traced->unfinished}, {"meanFetches", traced->rays ? traced->fetches / double(traced->rays) : 0.},
+                {"warnings", warningsJson(traced->warnings)}});
     });
 }
 

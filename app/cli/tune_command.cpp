@@ -298,7 +298,7 @@ void addTune(CLI::App& app, int& exitCode)
         ->check(CLI::Range(1, 1000000))
         ->type_name("N");
     command->add_option("--seed", options->seed, "Seed of the rays; 1 when not given")->type_name("N");
-    command->add_option("-o", options->out, "Project to write, with what was chosen")->type_name("PROJECT");
+    options->state.addOutput(*command, "-o", options->out, "Project to write, with what was chosen")->type_name("PROJECT");
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/exporters.h"
+#include "core/scene/inputs.h"
 #include <algorithm>
 
 namespace relievo {
@@ -14,13 +15,13 @@ const ExportRow* findExport(std::string_view key)
 
 Expected<void> refuseToOverwriteSources(const ExportJob& job, const std::filesystem::path& file)
 {
-    const auto same = [&](const std::string& source) {
-        std::error_code code;
-        return !source.empty() && std::filesystem::equivalent(source, file, code);
-    };
-    if (same(job.state.mesh) || same(job.state.environment) || std::ranges::any_of(job.state.slots, same, &MapSlot::file))
-        return failure(file.string(), "this file is what the material was opened from", "Export to another folder or name");
-    return {};
+    std::vector<std::filesystem::path> read = filesOf(job.state);
+    const auto add = [&read](const std::vector<std::filesystem::path>& more) { read.insert(read.end(), more.begin(), more.end()); };
+    add(job.alsoRead);
+    if (job.resources.mesh)
+        for (const MeshMaterial& material : job.resources.mesh->materials)
+            add(filesOf(material.maps));
+    return refuseToReplace(read, file);
 }
 
 } // namespace relievo

@@ -18,6 +18,7 @@ struct ExportJob {
     std::filesystem::path out; // a file, or a folder (made when missing) when the row says so
     int size = 0; // texels of the longest side of written textures; 0 keeps each map's own size
     Progress progress;
+    std::vector<std::filesystem::path> alsoRead = {}; // beside what the State names: the project, a preset
 };
 struct Exported {
     std::vector<std::filesystem::path> files; // what was written
@@ -32,7 +33,8 @@ struct ExportRow {
     std::string_view help;
 };
 
-// What the material was opened from is never written over: an error when `file` is one of the State's own files.
+// What the material was opened from is never written over: an error when `file` is one of the State's own, of the mesh's
+// pictures or of what else was read.
 Expected<void> refuseToOverwriteSources(const ExportJob& job, const std::filesystem::path& file);
 
 Expected<Exported> exportGltf(const ExportJob& job);

@@ -43,10 +43,61 @@ Json numbersOf(const ExportJob& job, const Parameters& parameters)
         {"technique", job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique}});
     return numbers;
 }
+
+bool isWritten(MapKind kind, const Material& material)
+{
+    return kind == MapKind::Height ? material.height.has_value()
+        : kind == MapKind::Normal  ? material.height || material.map(kind)
+                                   : material.map(kind) != nullptr;
+}
+
+struct MapFile {
+    const MapKindRow* kind;
+    fs::path path;
+};
+// Where the material's maps go; an error when that is where one was read.
+Expected<std::vector<MapFile>> filesOf(const ExportJob& job)
+{
+    std::vector<MapFile> files;
+    const std::string stem = fileStem(job.state.name);
+    for (const MapKindRow& kind : kMapKinds)
+        if (isWritten(kind.kind, *job.resources.material))
+            files.push_back({&kind, job.out / (stem + '_' + std::string(kind.fileName) + ".png")});
+    if (files.empty())
+        return failure(job.out.string(), "the material has no maps to write", "Open a texture set first");
+    for (const MapFile& file : files)
+        if (Expected<void> free = refuseToOverwriteSources(job, file.path); !free)
+            return tl::unexpected(free.error());
+    if (Expected<void> free = refuseToOverwriteSources(job, job.out / "relief.json"); !free)
+        return tl::unexpected(free.error());
+    return files;
+}
+
+Expected<void> writeNumbers(const ExportJob& job, const Json& numbers)
+{
+    return writeAtomically(job.out / "relief.json", numbers.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+Warnings lossesOf(const Material& material)
+{
+    Warnings losses;
+    if (!material.height)
+        losses.push_back({"no-height", "The material has no height map: the folder holds no relief."});
+    else if (!material.map(MapKind::Normal))
+        losses.push_back({"normal-made", "The normal map was made from the height map at the material's depth."});
+    const Image* emission = material.map(MapKind::Emission);
+    if (emission && brightest(*emission) > 1.f)
+        losses.push_back({"emission-clipped", "Emission brighter than 1 was clipped: PNG cannot hold it."});
+    return losses;
+}
 } // namespace
 
+// relief.json comes before the maps and says that it is not all, so that a folder left in the middle is seen to be one (kUnfinishedExport).
 Expected<Exported> exportTextures(const ExportJob& job)
 {
+    const Expected<std::vector<MapFile>> files = filesOf(job);
+    if (!files)
+        return tl::unexpected(files.error());
     std::error_code code;
     NewFiles made;
     made.willMakeFolders(job.out);
@@ -54,43 +105,33 @@ Expected<Exported> exportTextures(const ExportJob& job)
     if (!fs::is_directory(job.out, code))
         return failure(job.out.string(), "the folder cannot be made", "Choose a folder that you may write to");
     const Parameters parameters = effectiveParameters(job.state, 0);
-    Exported exported;
     Json numbers = numbersOf(job, parameters), maps = Json::array();
-    const std::string stem = fileStem(job.state.name);
-    std::size_t done = 0;
-    for (const MapKindRow& kind : kMapKinds) {
-        job.progress.at(float(done++) / float(kMapKindCount));
-        const std::optional<Image> image = imageOf(kind.kind, job, parameters);
+    Json unfinished = numbers;
+    unfinished[kUnfinishedExport] = true;
+    Exported exported{{}, lossesOf(*job.resources.material)};
+    for (const auto& [kind, path] : *files) {
+        job.progress.at(float(exported.files.size()) / float(files->size()));
+        const std::optional<Image> image = imageOf(kind->kind, job, parameters);
         if (job.progress.cancelled())
             return cancelled(job.out.string());
         if (!image)
             continue;
-        const fs::path path = job.out / (stem + '_' + std::string(kind.fileName) + ".png");
-        if (Expected<void> free = refuseToOverwriteSources(job, path); !free)
-            return tl::unexpected(free.error());
+        if (exported.files.empty()) {
+            made.willMake(job.out / "relief.json");
+            if (Expected<void> written = writeNumbers(job, unfinished); !written)
+                return tl::unexpected(written.error());
+        }
         made.willMake(path);
-        if (Expected<void> written = writeImage(path, *image, kind.isColor); !written)
+        if (Expected<void> written = writeImage(path, *image, kind->isColor); !written)
             return tl::unexpected(written.error());
         exported.files.push_back(path);
-        maps.push_back({{"kind", kind.key}, {"file", path.filename().string()}, {"convention", kind.convention}, {"width", image->width},
+        maps.push_back({{"kind", kind->key}, {"file", path.filename().string()}, {"convention", kind->convention}, {"width", image->width},
             {"height", image->height}, {"bits", image->type == PixelType::U8 ? 8 : 16}});
     }
-    if (exported.files.empty())
-        return failure(job.out.string(), "the material has no maps to write", "Open a texture set first");
-    const Material& material = *job.resources.material;
-    if (!material.height)
-        exported.warnings.push_back({"no-height", "The material has no height map: the folder holds no relief."});
-    else if (!material.map(MapKind::Normal))
-        exported.warnings.push_back({"normal-made", "The normal map was made from the height map at the material's depth."});
-    const Image* emission = material.map(MapKind::Emission);
-    if (emission && brightest(*emission) > 1.f)
-        exported.warnings.push_back({"emission-clipped", "Emission brighter than 1 was clipped: PNG cannot hold it."});
     numbers["maps"] = maps;
-    const fs::path path = job.out / "relief.json";
-    made.willMake(path);
-    if (Expected<void> written = writeAtomically(path, numbers.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'); !written)
+    if (Expected<void> written = writeNumbers(job, numbers); !written)
         return tl::unexpected(written.error());
-    exported.files.push_back(path);
+    exported.files.push_back(job.out / "relief.json");
     made.keep();
     return exported;
 }

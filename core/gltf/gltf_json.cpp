@@ -5,6 +5,8 @@
 #include "core/gltf/gltf_uri.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/ground/json_depth.h"
+#include "core/ground/shown_text.h"
 #include "core/ground/text.h"
 #include <algorithm>
 #include <cstring>
@@ -44,29 +46,6 @@ Expected<std::string_view> jsonTextOf(const std::string& bytes, const std::strin
     if (header[2] > bytes.size() || (jsonEnd != header[2] && jsonEnd + sizeof second + second[0] > header[2]))
         return failure(ErrorCode::Unreadable, where, "the file is shorter than its header says", "Copy or export it again");
     return std::string_view(bytes).substr(sizeof header, header[3]);
-}
-
-// tinygltf reads nested values by recursion: no honest file is deep.
-bool isTooDeep(std::string_view json)
-{
-    int depth = 0;
-    bool inString = false;
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        if (inString) {
-            if (json[i] == '\\')
-                ++i; // whatever follows is part of the string
-            else if (json[i] == '"')
-                inString = false;
-        } else if (json[i] == '"') {
-            inString = true;
-        } else if (json[i] == '{' || json[i] == '[') {
-            if (++depth > 256)
-                return true;
-        } else if (json[i] == '}' || json[i] == ']') {
-            --depth;
-        }
-    }
-    return false;
 }
 
 // Members whose type tinygltf does not check.
@@ -139,7 +118,7 @@ Warnings warningsOf(const Json& document)
 // The JSON of a file, with what can be told about it in better words than tinygltf's.
 Expected<Json> checkedJson(std::string_view text, const std::string& where)
 {
-    if (isTooDeep(text))
+    if (isNestedTooDeep(text))
         return failure(ErrorCode::Unreadable, where, "its JSON is nested too deeply", kDamaged);
     Json document = Json::parse(text, nullptr, false);
     if (document.is_discarded() || !document.is_object())
@@ -156,7 +135,7 @@ Expected<Json> checkedJson(std::string_view text, const std::string& where)
         for (const Json& name : *required)
             if (name.is_string() && !canIgnore(name.get_ref<const std::string&>()))
                 return failure(ErrorCode::Unreadable, where,
-                    "the file needs the extension " + name.get<std::string>() + ", which is not read",
+                    "the file needs the extension " + shownName(name.get_ref<const std::string&>()) + ", which is not read",
                     "Export it without compression or extensions");
     return document;
 }

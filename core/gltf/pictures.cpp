@@ -65,11 +65,6 @@ std::optional<fs::path> findPicture(const std::vector<fs::path>& folders, std::s
     return std::nullopt;
 }
 
-std::string shownName(const std::string& name)
-{
-    return name.size() > 80 ? name.substr(0, 77) + "..." : name;
-}
-
 std::string embeddedPictureName(const fs::path& gltf, int picture)
 {
     return absolutePath(gltf).string() + '#' + std::to_string(picture);
@@ -80,10 +75,15 @@ bool namesEmbeddedPicture(const fs::path& name)
     return embeddedOf(name).has_value();
 }
 
-bool pictureMayExist(const fs::path& name)
+fs::path fileOfPicture(const fs::path& name)
 {
     const std::optional<Embedded> embedded = embeddedOf(name);
-    return isFile(embedded ? embedded->file : name);
+    return embedded ? embedded->file : name;
+}
+
+bool pictureMayExist(const fs::path& name)
+{
+    return isFile(fileOfPicture(name));
 }
 
 Expected<std::vector<std::byte>> readEmbeddedPicture(const fs::path& name)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/ground/error.h"
+#include "core/ground/shown_text.h"
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -15,12 +16,12 @@ namespace relievo {
 // machines allowed), else by its last part alone, in any case of letters. Absolute. Nothing when there is none.
 std::optional<std::filesystem::path> findPicture(const std::vector<std::filesystem::path>& folders, std::string name);
 
-// A name or URI as messages show it: at most 80 bytes of it.
-std::string shownName(const std::string& name);
-
 // "FILE#N": picture N inside a glTF file. namesEmbeddedPicture is false for a file that exists under that very name.
 std::string embeddedPictureName(const std::filesystem::path& gltf, int picture);
 bool namesEmbeddedPicture(const std::filesystem::path& name);
+
+// The file in which a picture lies: `name` itself, or the glTF file that holds it.
+std::filesystem::path fileOfPicture(const std::filesystem::path& name);
 
 // Whether there is a file of that name, or the glTF file that should hold the picture.
 bool pictureMayExist(const std::filesystem::path& name);

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ground/text.h"
 #include "core/imageio/channel.h"
+#include "core/imageio/picture.h"
 #include "core/imageio/read.h"
 #include "core/imageio/write.h"
 #include <OpenImageIO/imageio.h>
@@ -84,7 +85,7 @@ bool answerSafely(Channel& channel, Message message, std::span<const std::byte> 
         answer(channel, message, bytes);
         return true;
     } catch (const std::bad_alloc&) {
-        channel.fail({"the image needs more memory than an image may take", "It is damaged or too large: reduce or export it again"});
+        channel.fail(tooMuchMemory());
     } catch (const std::exception&) {
         channel.fail({"the image library gave up on it", "The file is damaged: export it again from the program that made it"});
     }

@@ -9,6 +9,7 @@
 
 namespace relievo::imageio {
 namespace {
+constexpr double kMostBorder = 16., kMostEmpty = double(1 << 22); // pixels shown for one stored, and that are always shown
 constexpr std::string_view kDamaged = "The file is damaged: export it again from the program that made it";
 
 std::vector<std::byte> firstBytes(const std::string& file)
@@ -94,12 +95,15 @@ void chooseWindows(Picture& picture)
         return;
     const auto overlaps = [](long a, long aSize, long b, long bSize) { return a < b + bSize && b < a + aSize; };
     const bool seen = overlaps(spec.x, spec.width, display.x, display.width) && overlaps(spec.y, spec.height, display.y, display.height);
-    if (seen)
+    const bool isFarLarger = double(display.width) * display.height > std::max(kMostBorder * double(spec.width) * spec.height, kMostEmpty);
+    if (seen && !isFarLarger)
         picture.shown = display;
     picture.warnings.emplace_back("data-window",
         "the stored pixels (" + sizeText(spec.width, spec.height) + ") differ from the display window ("
             + sizeText(display.width, display.height)
-            + (seen ? "): what lies outside was cut, what is missing is 0" : ") and lie outside it: the stored pixels are used"));
+            + (!seen              ? ") and lie outside it: the stored pixels are used"
+                    : isFarLarger ? "), which is far larger: the stored pixels are used"
+                                  : "): what lies outside was cut, what is missing is 0"));
 }
 
 tl::expected<void, Refusal> checkSize(const Picture& picture)
@@ -158,11 +162,18 @@ void tellPeculiarities(Picture& picture, std::span<const std::byte> start)
 }
 } // namespace
 
+Refusal tooMuchMemory()
+{
+    return {"the image needs more memory than one of its size may take", "It is damaged or too large: reduce or export it again"};
+}
+
 Refusal refusalFrom(const FormatRow& format, std::string text, const std::string& file)
 {
     for (std::size_t at = text.find(file); !file.empty() && at != std::string::npos; at = text.find(file, at))
         text.replace(at, file.size(), "the file");
     text.resize(std::min(text.find('\n'), text.size()));
+    if (text.find("bad_alloc") != text.npos || text.find("memory") != text.npos)
+        return tooMuchMemory();
     std::erase_if(text, [](char c) { return c < ' ' || c > '~'; }); // bytes of the file may stand in it
     while (!text.empty() && (text.back() == '.' || text.back() == ' '))
         text.pop_back();
@@ -178,6 +189,7 @@ tl::expected<Picture, Refusal> openPicture(const std::string& file, const std::s
     picture.format = recognise(start, suffix);
     if (!picture.format)
         return tl::unexpected(notAnImage(start, suffix));
+    picture.budget = std::make_unique<Budget>(*picture.format, file);
     picture.input = OIIO::ImageInput::create(picture.format->name);
     if (!picture.input)
         return tl::unexpected(
@@ -191,6 +203,7 @@ tl::expected<Picture, Refusal> openPicture(const std::string& file, const std::s
     chooseWindows(picture);
     if (const auto size = checkSize(picture); !size)
         return tl::unexpected(size.error());
+    picture.budget->allow(picture.spec);
     chooseReduction(picture);
     fillHeader(picture, start);
     tellPeculiarities(picture, start);

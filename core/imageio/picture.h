@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/image/image.h"
+#include "core/imageio/budget.h"
 #include "core/imageio/channel.h"
 #include "core/imageio/formats.h"
 #include <OpenImageIO/imageio.h>
@@ -18,6 +19,7 @@ struct Window {
 };
 
 struct Picture {
+    std::unique_ptr<Budget> budget; // before what it bounds
     std::unique_ptr<OIIO::ImageInput> input;
     OIIO::ImageSpec spec;
     const FormatRow* format = nullptr;
@@ -31,6 +33,9 @@ struct Picture {
 };
 
 tl::expected<Picture, Refusal> openPicture(const std::string& file, const std::string& suffix);
+
+// When memory is refused, whether by the Budget or the system.
+Refusal tooMuchMemory();
 
 // The library's own words, made into one clause without paths.
 Refusal refusalFrom(const FormatRow& format, std::string libraryText, const std::string& file);

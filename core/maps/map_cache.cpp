@@ -74,14 +74,15 @@ struct Reader {
     }
 };
 
-bool readLevel(Reader& heads, Reader& data, Image& image)
+// A level that must be of this size; what the file tells is only compared.
+bool readLevel(Reader& heads, Reader& data, const MapShape& shape, MapShape::Level size, Image& image)
 {
     LevelHead head;
-    if (!heads.take(&head, sizeof head) || head.width < 1 || head.height < 1 || head.channels < 1 || head.channels > 4 || head.type < 0
-        || head.type > int(PixelType::F32))
+    if (!heads.take(&head, sizeof head) || head.width != size.width || head.height != size.height || head.channels != shape.channels
+        || head.type != int(shape.type))
         return false;
-    image = {head.width, head.height, head.channels, PixelType(head.type), head.storedBits, head.storedFloat != 0, {}};
-    const std::size_t texelBytes = std::size_t(head.channels) * bytesOf(image.type);
+    image = {size.width, size.height, shape.channels, shape.type, int(bytesOf(shape.type)) * 8, shape.type == PixelType::F32, {}};
+    const std::size_t texelBytes = std::size_t(shape.channels) * bytesOf(shape.type);
     if (image.texelCount() > data.left.size() / texelBytes)
         return false;
     image.data.resize(image.texelCount() * texelBytes);
@@ -196,14 +197,14 @@ std::optional<fs::path> cacheFolder()
     return std::nullopt;
 }
 
-std::optional<BakedMap> mapOnDisk(const fs::path& folder, const std::string& key)
+std::optional<BakedMap> mapOnDisk(const fs::path& folder, const std::string& key, const MapShape& shape)
 {
     try {
         const fs::path file = fileOf(folder, key);
         const auto bytes = readBytes(file);
         if (!bytes)
             return std::nullopt;
-        auto map = unpackedMap(key, *bytes);
+        auto map = unpackedMap(key, shape, *bytes);
         std::error_code code;
         if (map)
             fs::last_write_time(file, fs::file_time_type::clock::now(), code); // used just now
@@ -245,7 +246,7 @@ std::vector<std::byte> packedMap(const std::string& key, const BakedMap& map)
     return out;
 }
 
-std::optional<BakedMap> unpackedMap(const std::string& key, std::span<const std::byte> bytes)
+std::optional<BakedMap> unpackedMap(const std::string& key, const MapShape& shape, std::span<const std::byte> bytes)
 {
     std::uint64_t checksum = 0;
     if (bytes.size() < sizeof checksum)
@@ -258,19 +259,19 @@ std::optional<BakedMap> unpackedMap(const std::string& key, std::span<const std:
     Head head;
     if (!reader.take(magic, sizeof magic) || std::memcmp(magic, kMagic, sizeof magic) != 0 || !reader.take(&head, sizeof head))
         return std::nullopt;
-    std::string echo(std::min(std::size_t(head.keyBytes), reader.left.size()), '\0');
-    if (head.keyBytes != key.size() || !reader.take(echo.data(), key.size()) || echo != key || head.slices < 1 || head.levels < 1
-        || head.levels > 64)
+    std::string echo(key.size(), '\0');
+    if (head.keyBytes != key.size() || !reader.take(echo.data(), key.size()) || echo != key || head.slices != shape.slices
+        || head.levels != shape.levels.size())
         return std::nullopt;
     BakedMap map;
-    map.slices = head.slices;
+    map.slices = shape.slices;
     map.scale = {head.scale[0], head.scale[1], head.scale[2], head.scale[3]};
-    const std::size_t headBytes = head.levels * sizeof(LevelHead);
+    const std::size_t headBytes = shape.levels.size() * sizeof(LevelHead);
     if (headBytes > reader.left.size())
         return std::nullopt;
     Reader heads{reader.left.first(headBytes)}, data{reader.left.subspan(headBytes)};
-    for (std::uint32_t l = 0; l < head.levels; ++l)
-        if (!readLevel(heads, data, map.levels.emplace_back()))
+    for (const MapShape::Level level : shape.levels)
+        if (!readLevel(heads, data, shape, level, map.levels.emplace_back()))
             return std::nullopt;
     return data.left.empty() ? std::optional(std::move(map)) : std::nullopt;
 }

@@ -4,6 +4,7 @@
 #pragma once
 #include "core/image/height_field.h"
 #include "core/maps/baked_map.h"
+#include "core/maps/map_shape.h"
 #include "core/state/parameters.h"
 #include <cstddef>
 #include <cstdint>
@@ -31,9 +32,9 @@ void forgetMapsInMemory();
 // RELIEVO_CACHE, or relievo/ in XDG_CACHE_HOME or ~/.cache; nothing when it is "off" or there is no home.
 std::optional<std::filesystem::path> cacheFolder();
 
-// On disk: one file a map, which echoes its key and ends in a checksum. What is not exactly as it was written is not read, nor
-// what there is no memory for.
-std::optional<BakedMap> mapOnDisk(const std::filesystem::path& folder, const std::string& key);
+// On disk: one file a map, which echoes its key and ends in a checksum. What is not exactly as it was written, or of another
+// shape, is not read, nor what there is no memory for.
+std::optional<BakedMap> mapOnDisk(const std::filesystem::path& folder, const std::string& key, const MapShape& shape);
 // Writes atomically, then removes the files used longest ago until all fit in `limit` bytes; files that the cache did not write are
 // neither counted nor removed. A folder that cannot be made or written, a full disk or too little memory only means that nothing is
 // kept.
@@ -41,6 +42,6 @@ void keepOnDisk(const std::filesystem::path& folder, const std::string& key, con
 
 // The bytes of such a file.
 std::vector<std::byte> packedMap(const std::string& key, const BakedMap& map);
-std::optional<BakedMap> unpackedMap(const std::string& key, std::span<const std::byte> bytes);
+std::optional<BakedMap> unpackedMap(const std::string& key, const MapShape& shape, std::span<const std::byte> bytes);
 
 } // namespace relievo

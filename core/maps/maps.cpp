@@ -4,6 +4,7 @@
 #include "core/maps/maps.h"
 #include "core/maps/float_image.h"
 #include "core/maps/map_cache.h"
+#include "core/maps/map_shape.h"
 #include "core/maps/memory_guard.h"
 #include "core/maps/surface/normal.h"
 #include <algorithm>
@@ -67,7 +68,9 @@ Expected<std::shared_ptr<const BakedMap>> cachedMap(
         if (auto kept = mapInMemory(key))
             return kept;
         const auto folder = cacheFolder();
-        auto read = folder ? mapOnDisk(*folder, key) : std::nullopt;
+        auto read = folder ? mapOnDisk(*folder, key, shapeOf(row, field)) : std::nullopt;
+        if (read && !hasSoundValues(row, field, *read))
+            read.reset();
         if (!read) {
             auto made = bakedInBits(row, field, parameters, progress);
             if (!made)

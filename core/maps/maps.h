@@ -27,6 +27,7 @@ struct BakedMapRow {
     int channels;
     std::array<ChannelRule, 4> rules = {}; // of each channel, when stored
     int bits = 16; // a channel has when stored, unless asked otherwise: 8, 16 or 32 (float)
+    int slices = 1; // images one below the other
     int version; // of the algorithm: maps of another version in the cache are not used
     MapForm form = MapForm::Filtered; // how a search reads it
     ParameterSet parameters = {}; // that the result depends on
@@ -72,6 +73,7 @@ inline constexpr auto kBakedMaps = std::to_array<BakedMapRow>({
         .unit = "sine of the elevation",
         .channels = 4,
         .bits = 8,
+        .slices = 2,
         .version = 2,
         .parameters = {&Parameters::depth},
         .bake = bakeHorizon8,
@@ -84,6 +86,7 @@ inline constexpr auto kBakedMaps = std::to_array<BakedMapRow>({
         .unit = "sine of the elevation",
         .channels = 4,
         .bits = 8,
+        .slices = 4,
         .version = 2,
         .parameters = {&Parameters::depth},
         .bake = bakeHorizon16,
@@ -155,6 +158,7 @@ inline constexpr auto kBakedMaps = std::to_array<BakedMapRow>({
         .unit = "tiles",
         .channels = 1,
         .rules = {kRatio},
+        .slices = kDistanceSlices,
         .version = 2,
         .form = MapForm::Volume,
         .bake = bakeDistance,

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/relief_numbers.h"
 #include "core/ground/file.h"
+#include "core/ground/json_depth.h"
 #include "core/image/material.h"
 #include "core/state/techniques.h"
 #include <algorithm>
@@ -46,6 +47,12 @@ std::string textOf(const json& object, const char* key)
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+json numbersIn(const fs::path& folder)
+{
+    const Expected<std::string> text = readText(folder / "relief.json", std::size_t(64) << 20);
+    return text && !isNestedTooDeep(*text) ? json::parse(*text, nullptr, false) : json();
+}
+
 // A map of the export lies as the export says. True when it had been read the other way.
 bool takeConvention(State& state, const json& map)
 {
@@ -81,10 +88,22 @@ void takeFactors(State& state, const MeshFactors& factors, const MapSlots& maps)
         takeNumber(state, "emission", double(factors.emission));
 }
 
+std::optional<Warning> unfinishedExport(const fs::path& folder)
+{
+    if (!numbersIn(folder).contains(kUnfinishedExport))
+        return std::nullopt;
+    return Warning{"export-unfinished",
+        folder.string()
+            + ": an export into this folder has not come to its end: maps may be missing or of different exports. Export again."};
+}
+
 bool takeReliefJson(const fs::path& folder, State& state, Warnings& warnings)
 {
-    const Expected<std::string> text = readText(folder / "relief.json");
-    const json numbers = text ? json::parse(*text, nullptr, false) : json();
+    if (std::optional<Warning> unfinished = unfinishedExport(folder)) {
+        warnings.push_back(std::move(*unfinished));
+        return false;
+    }
+    const json numbers = numbersIn(folder);
     if (!numbers.is_object() || std::isnan(numberOf(numbers, "depthInTiles")) || textOf(numbers, "technique").empty())
         return false;
     for (const auto& [key, parameter] : kReliefNumbers)

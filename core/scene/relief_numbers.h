@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/ground/error.h"
 #include "core/mesh/mesh.h"
 #include "core/state/state.h"
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 namespace relievo {
@@ -26,8 +28,14 @@ inline constexpr auto kReliefNumbers = std::to_array<std::pair<const char*, floa
     {"normalStrength", &Parameters::normalStrength},
 });
 
+// relief.json is in the folder from the first map on, and holds this member until the last one is written.
+inline constexpr const char* kUnfinishedExport = "unfinished";
+// "export-unfinished" when the export into the folder was ended before all maps were written.
+std::optional<Warning> unfinishedExport(const std::filesystem::path& folder);
+
 // What relief.json says in a folder of exported textures: its values, and which way its own maps are meant, whatever their pixels
-// suggest. Returns whether there is such a file of this program. Warnings: "relief-json" tells that values were taken.
+// suggest. Returns whether there is such a file of this program. Warnings: "relief-json" tells that values
+// were taken, "export-unfinished" that they were not.
 bool takeReliefJson(const std::filesystem::path& folder, State& state, Warnings& warnings);
 
 } // namespace relievo

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/state_json.h"
 #include "core/ground/file.h"
+#include "core/ground/json_depth.h"
+#include "core/ground/shown_text.h"
 #include "core/state/shapes.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
@@ -113,15 +115,18 @@ std::string toPresetJson(const State& state)
 
 namespace {
 
+using FoundJson = nlohmann::json; // an ordered one compares each key with all before it
+constexpr std::size_t kMostUnknownKeys = 10; // that are told one by one
+
 // Walks a JSON text into a State; everything it cannot use becomes a warning with its place.
 class Reader {
 public:
     Reader(const fs::path& folder, const std::string& where) : m_folder(folder), m_where(where) { }
     Warnings warnings;
 
-    void read(const Json& json, State& state)
+    void read(const FoundJson& json, State& state)
     {
-        each(json, "", [&](const std::string& key, const Json& value) {
+        each(json, "", [&](const std::string& key, const FoundJson& value) {
             if (key == "relievo" || key == "panes")
                 return true;
             if (key == "name")
@@ -148,6 +153,9 @@ public:
         });
         if (json.contains("panes")) // after the parameters, which panes may override
             panes(json["panes"], state.panes);
+        if (m_unknownKeys > kMostUnknownKeys)
+            warnings.push_back(
+                {"unknown-key", m_where + ": " + std::to_string(m_unknownKeys - kMostUnknownKeys) + " more unknown keys; ignored"});
     }
 
 private:
@@ -156,20 +164,25 @@ private:
         warnings.push_back({code, m_where + ": " + place + ": " + what});
     }
 
+    static std::string placeOf(const std::string& place, const std::string& key)
+    {
+        return place.empty() ? shownName(key) : place + '.' + shownName(key);
+    }
+
     // Calls take(key, value) for each member; false means that the key is unknown.
-    template <class Take> bool each(const Json& json, const std::string& place, Take take)
+    template <class Take> bool each(const FoundJson& json, const std::string& place, Take take)
     {
         if (!json.is_object()) {
             warn("wrong-kind", place, "expected an object; ignored");
             return true;
         }
         for (const auto& [key, value] : json.items())
-            if (!take(key, value))
-                warn("unknown-key", place.empty() ? key : place + '.' + key, "unknown key; ignored");
+            if (!take(key, value) && ++m_unknownKeys <= kMostUnknownKeys)
+                warn("unknown-key", placeOf(place, key), "unknown key; ignored");
         return true;
     }
 
-    bool text(const Json& value, const std::string& place, std::string& out)
+    bool text(const FoundJson& value, const std::string& place, std::string& out)
     {
         if (value.is_string())
             out = value.get<std::string>();
@@ -178,14 +191,14 @@ private:
         return true;
     }
 
-    template <class Known> bool word(const Json& value, const std::string& place, std::string& out, Known known)
+    template <class Known> bool word(const FoundJson& value, const std::string& place, std::string& out, Known known)
     {
         std::string name = out;
         text(value, place, name);
         if (known(name))
             out = name;
         else
-            warn("unknown-value", place, "there is no \"" + name + "\"; ignored");
+            warn("unknown-value", place, "there is no \"" + shownName(name) + "\"; ignored");
         return true;
     }
 
@@ -198,7 +211,7 @@ private:
         return name;
     }
 
-    bool file(const Json& value, const std::string& place, std::string& out, bool isPath)
+    bool file(const FoundJson& value, const std::string& place, std::string& out, bool isPath)
     {
         std::string name = out;
         text(value, place, name);
@@ -208,7 +221,7 @@ private:
         return true;
     }
 
-    bool flag(const Json& value, const std::string& place, bool& out)
+    bool flag(const FoundJson& value, const std::string& place, bool& out)
     {
         if (value.is_boolean())
             out = value.get<bool>();
@@ -217,9 +230,9 @@ private:
         return true;
     }
 
-    bool slot(const Json& json, const std::string& place, MapSlot& out)
+    bool slot(const FoundJson& json, const std::string& place, MapSlot& out)
     {
-        return each(json, place, [&](const std::string& key, const Json& value) {
+        return each(json, place, [&](const std::string& key, const FoundJson& value) {
             if (key == "file")
                 return file(value, place + ".file", out.file, true);
             if (key == "invert")
@@ -234,16 +247,16 @@ private:
     }
 
     // A file that lists maps names them all: slots it does not mention are empty.
-    bool maps(const Json& json, MapSlots& slots)
+    bool maps(const FoundJson& json, MapSlots& slots)
     {
         slots = {};
-        return each(json, "maps", [&](const std::string& key, const Json& value) {
+        return each(json, "maps", [&](const std::string& key, const FoundJson& value) {
             const auto kind = findMapKind(key);
             return kind && slot(value, "maps." + key, slots[std::size_t(*kind)]);
         });
     }
 
-    std::optional<Value> value(const ParameterRow& row, const Json& json)
+    std::optional<Value> value(const ParameterRow& row, const FoundJson& json)
     {
         if (json.is_string())
             return parseValue(row, json.get<std::string>());
@@ -256,14 +269,14 @@ private:
             && json.get<double>() == std::round(json.get<double>()))
             return int(std::clamp(std::round(json.get<double>()), -2e9, 2e9));
         if (json.is_array() && json.size() == 3 && kind == ValueKind::Color
-            && std::ranges::all_of(json, [](const Json& j) { return j.is_number(); }))
+            && std::ranges::all_of(json, [](const FoundJson& j) { return j.is_number(); }))
             return glm::vec3(json[0].get<float>(), json[1].get<float>(), json[2].get<float>());
         return {};
     }
 
-    template <class Take> bool parameters(const Json& json, const std::string& place, Take take)
+    template <class Take> bool parameters(const FoundJson& json, const std::string& place, Take take)
     {
-        return each(json, place, [&](const std::string& key, const Json& j) {
+        return each(json, place, [&](const std::string& key, const FoundJson& j) {
             const ParameterRow* row = findParameter(key);
             if (!row)
                 return false;
@@ -280,12 +293,12 @@ private:
         });
     }
 
-    bool camera(const Json& json, const std::string& place, Camera& out)
+    bool camera(const FoundJson& json, const std::string& place, Camera& out)
     {
-        return each(json, place, [&](const std::string& key, const Json& value) {
+        return each(json, place, [&](const std::string& key, const FoundJson& value) {
             if (key != "yaw" && key != "pitch" && key != "fov" && key != "distance" && key != "target")
                 return false;
-            const auto isNumber = [](const Json& one) { return one.is_number(); };
+            const auto isNumber = [](const FoundJson& one) { return one.is_number(); };
             const bool isPoint = key == "target" && value.is_array() && value.size() == 3 && std::ranges::all_of(value, isNumber);
             if (!isPoint && !isNumber(value)) { // lists may be nested deeper than dump() can follow
                 warn("wrong-kind", place + '.' + key,
@@ -302,7 +315,7 @@ private:
     static bool isView(const std::string& name) { return findView(name) != nullptr; }
 
     // A view beside the panes is that of all panes that do not name one.
-    bool viewOfAll(const Json& value, const std::string& place, State& state)
+    bool viewOfAll(const FoundJson& value, const std::string& place, State& state)
     {
         std::string view = state.panes.front().view;
         word(value, place, view, isView);
@@ -310,7 +323,7 @@ private:
         return true;
     }
 
-    bool ownCamera(const Json& json, const std::string& place, std::optional<Camera>& out)
+    bool ownCamera(const FoundJson& json, const std::string& place, std::optional<Camera>& out)
     {
         Camera own;
         camera(json, place, own);
@@ -319,7 +332,7 @@ private:
         return true;
     }
 
-    bool panes(const Json& json, std::vector<Pane>& out)
+    bool panes(const FoundJson& json, std::vector<Pane>& out)
     {
         const std::string most = std::to_string(kMaxPanes);
         if (!json.is_array() || json.empty()) {
@@ -338,9 +351,9 @@ private:
         return true;
     }
 
-    void pane(const Json& json, const std::string& place, Pane& out)
+    void pane(const FoundJson& json, const std::string& place, Pane& out)
     {
-        each(json, place, [&](const std::string& key, const Json& value) {
+        each(json, place, [&](const std::string& key, const FoundJson& value) {
             if (key == "technique")
                 return word(
                     value, place + ".technique", out.technique, [](const std::string& name) { return findTechnique(name) != nullptr; });
@@ -358,13 +371,17 @@ private:
 
     const fs::path& m_folder;
     const std::string& m_where;
+    std::size_t m_unknownKeys = 0;
 };
 
 } // namespace
 
 Expected<StateRead> fromJson(const State& base, const std::string& text, const fs::path& folder, const std::string& where)
 {
-    const Json json = Json::parse(text, nullptr, false);
+    if (isNestedTooDeep(text))
+        return failure(
+            where, "this is not a Relievo project or preset (its JSON is nested too deeply)", "Choose a file that Relievo has saved");
+    const FoundJson json = FoundJson::parse(text, nullptr, false);
     if (json.is_discarded() || !json.is_object())
         return failure(where, "this is not a Relievo project or preset (no valid JSON object)", "Choose a file that Relievo has saved");
     const auto version = json.find("relievo");

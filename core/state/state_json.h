@@ -19,8 +19,9 @@ std::string toJson(const State& state, const std::filesystem::path& folder);
 // Only what decides the material's look, not which files it is made of: parameters, technique of pane 0. For `export --target preset`.
 std::string toPresetJson(const State& state);
 
-// Members that the text does not name keep their value in `base`; relative paths are read from `folder`. Unknown keys and values
-// out of range (clamped) become warnings that name the key and its place; a text that is no JSON, or of a newer version, is an error.
+// Members that the text does not name keep their value in `base`; relative paths are read from `folder`. Unknown keys (the
+// first ten, then their number) and values out of range (clamped) become warnings that name the key and its place; a text that is no
+// JSON, nested deeper than any State, or of a newer version, is an error.
 struct StateRead {
     State state;
     Warnings warnings;

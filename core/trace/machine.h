@@ -31,6 +31,7 @@ struct Machine : Parameters {
     const AccelerationMap* boundMap = nullptr;
     int heightBytes = 0, boundBytes = 0; // of a texel as it is uploaded
     mutable int bytes = 0; // fetched so far
+    bool gaveUp = false; // as in shaders/search/contract.glsl
 
     static ivec2 textureSize(const HeightField* map, int) { return {map->width(), map->height()}; }
     bool clamped() const { return wrap == Wrap::Clamp; }
@@ -127,6 +128,7 @@ namespace relievo {
 struct CountedHit {
     glsl::Hit hit;
     int bytes;
+    bool gaveUp;
 };
 // parameters, maps, ray, bend (SearchRay::bend).
 using TextSearch = CountedHit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glm::vec3);

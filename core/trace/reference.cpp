@@ -5,36 +5,44 @@
 #include "core/trace/cell_root.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace relievo {
 
 namespace {
 
-bool finite(const SearchRay& ray)
-{
-    return std::isfinite(ray.uv.x) && std::isfinite(ray.uv.y) && std::isfinite(ray.duv.x) && std::isfinite(ray.duv.y);
-}
-
 // One axis of the walk, in texels; texel centres at whole numbers.
 struct Axis {
     double start, slope, inverse;
-    std::int64_t cell;
+    std::int64_t cell, first, last; // beyond a clamped border the outermost cells go on without end
 
-    Axis(double uv, double duv, int size) : start(uv * size - 0.5), slope(duv * size), inverse(inverseSlope(slope)), cell(0)
+    Axis(double uv, double duv, int size, Wrap wrap)
+        : start(uv * size - 0.5)
+        , slope(duv * size)
+        , inverse(inverseSlope(slope))
+        , cell(0)
+        , first(wrap == Wrap::Clamp ? -1 : std::numeric_limits<std::int64_t>::min())
+        , last(wrap == Wrap::Clamp ? size - 1 : std::numeric_limits<std::int64_t>::max())
     {
         // Far from the origin only the phase within the tile matters, and 64 bits hold any cell index below 2^53.
         cell = std::int64_t(std::clamp(std::floor(start), -9e15, 9e15));
         if (slope < 0. && start == std::floor(start) && cell > -9'000'000'000'000'000)
             --cell; // starts on the wall and leaves downwards
+        cell = std::clamp(cell, first, last);
     }
-    double exit() const { return (double(slope < 0. ? cell : cell + 1) - start) * inverse; }
-    double fraction(double t) const { return start - double(cell) + slope * t; }
+    double exit() const
+    {
+        const bool goesOn = slope < 0. ? cell == first : cell == last;
+        return goesOn ? kNever : (double(slope < 0. ? cell : cell + 1) - start) * inverse;
+    }
+    // In a cell that goes on without end all places are alike.
+    double fraction(double t) const { return cell == first || cell == last ? 0. : start - double(cell) + slope * t; }
 };
 
 int wrapped(std::int64_t cell, int size, Wrap wrap)
 {
     if (wrap == Wrap::Clamp)
-        return int(std::clamp<std::int64_t>(cell, -1, size));
+        return int(cell);
     const std::int64_t remainder = cell % size;
     return int(remainder < 0 ? remainder + size : remainder);
 }
@@ -44,11 +52,11 @@ int wrapped(std::int64_t cell, int size, Wrap wrap)
 SearchHit exactHit(const HeightField& field, const SearchRay& ray, double raise)
 {
     SearchHit hit;
-    if (!finite(ray))
+    if (!isFinite(ray))
         return hit;
-    Axis x(ray.uv.x, ray.duv.x, field.width()), y(ray.uv.y, ray.duv.y, field.height());
-    if (!std::isfinite(x.slope) || !std::isfinite(y.slope))
-        return hit;
+    Axis x(ray.uv.x, ray.duv.x, field.width(), field.wrap()), y(ray.uv.y, ray.duv.y, field.height(), field.wrap());
+    if (!std::isfinite(x.slope) || !std::isfinite(y.slope) || !std::isfinite(x.start) || !std::isfinite(y.start))
+        return unfinished(ray, 0);
     double enter = 0.;
     while (hit.fetches < kMaxReferenceCells) {
         ++hit.fetches;
@@ -69,8 +77,7 @@ SearchHit exactHit(const HeightField& field, const SearchRay& ray, double raise)
             y.cell += y.slope > 0. ? 1 : -1;
         enter = leave;
     }
-    hit.uv = ray.uv + ray.duv;
-    return hit;
+    return unfinished(ray, hit.fetches);
 }
 
 } // namespace relievo

@@ -60,7 +60,7 @@ template <class Technique> CountedHit run(const Parameters& parameters, const Se
         technique.wrap = maps.height->wrap();
     }
     const glsl::Hit hit = technique.trace(ray);
-    return {hit, technique.bytes};
+    return {hit, technique.bytes, technique.gaveUp};
 }
 
 // The generated list again, now as a table.
@@ -77,10 +77,12 @@ bool finite(const SearchRay& r)
 
 SearchHit searched(TextSearch search, const Parameters& parameters, const SearchMaps& maps, const SearchRay& ray)
 {
-    if (!finite(ray))
+    if (!isFiniteInFloat(ray))
         return {};
-    const auto [hit, bytes]
-        = search(parameters, maps, {glm::vec2(ray.uv), glm::vec2(ray.duv), float(ray.cosView), 1.f}, glm::vec3(ray.bend));
+    const auto [hit, bytes, gaveUp]
+        = search(parameters, maps, {inFloat(ray.uv), inFloat(ray.duv), float(ray.cosView), 1.f}, glm::vec3(ray.bend));
+    if (gaveUp)
+        return unfinished(ray, hit.fetches, bytes);
     return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches, bytes};
 }
 

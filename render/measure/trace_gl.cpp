@@ -30,11 +30,6 @@ Texture floatTexture(GLint internal, GLenum layout, int height, const float* dat
     return texture;
 }
 
-bool finite(const SearchRay& r)
-{
-    return std::isfinite(float(r.uv.x)) && std::isfinite(float(r.uv.y)) && std::isfinite(float(r.duv.x)) && std::isfinite(float(r.duv.y));
-}
-
 // The rays of one pass as texels; those that are not finite are replaced, their answer is known.
 struct Pass {
     int height;
@@ -46,9 +41,10 @@ struct Pass {
         rays.resize(texels * 4), cosines.resize(texels, 1.f), hits.resize(texels * 4), fetches.resize(texels);
         for (std::size_t i = 0; i < part.size(); ++i) {
             const SearchRay& r = part[i];
-            if (!finite(r))
+            if (!isFiniteInFloat(r))
                 continue;
-            const float values[] = {float(r.uv.x), float(r.uv.y), float(r.duv.x), float(r.duv.y)};
+            const glm::vec2 uv = inFloat(r.uv), duv = inFloat(r.duv);
+            const float values[] = {uv.x, uv.y, duv.x, duv.y};
             std::ranges::copy(values, rays.begin() + std::ptrdiff_t(i * 4));
             cosines[i] = float(r.cosView);
         }
@@ -84,8 +80,10 @@ struct Pass {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
     }
 
-    SearchHit hit(std::size_t i) const
+    SearchHit hit(const SearchRay& ray, std::size_t i) const
     {
+        if (hits[i * 4] < -0.5f)
+            return unfinished(ray, int(fetches[i]));
         return {hits[i * 4] > 0.5f, double(hits[i * 4 + 1]), {double(hits[i * 4 + 2]), double(hits[i * 4 + 3])}, int(fetches[i])};
     }
 };
@@ -135,8 +133,8 @@ Expected<std::vector<SearchHit>> traceRaysOnGpu(
         Pass pass(part);
         pass.run(*program, 1);
         for (std::size_t i = 0; i < part.size(); ++i)
-            if (finite(part[i]))
-                hits[first + i] = pass.hit(i);
+            if (isFiniteInFloat(part[i]))
+                hits[first + i] = pass.hit(part[i], i);
     }
     if (const auto sufficed = memorySufficed(); !sufficed)
         return tl::unexpected(sufficed.error());

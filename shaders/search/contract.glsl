@@ -13,3 +13,4 @@ struct Hit {
     bool found;
     int fetches; // texture reads of the search
 };
+bool gaveUp = false; // whether the search has ended before it knew the answer, as its rounds are bounded; its hit means nothing then

@@ -9,6 +9,10 @@ struct Walk {
     float below; // ... and how far below that the ray is: kept apart, so that nothing is lost when small steps are added up
 };
 
+// Of a search, over all its loops. Mesa's rasteriser ends the loops of a pixel after 65535 rounds together, so that with more the answers would
+// not be the same everywhere.
+const int kMostRounds = 65000;
+
 float heightOf(Walk walk)
 {
     return walk.z - walk.below;
@@ -41,6 +45,14 @@ Walk walkFrom(Ray ray, vec2 slope, vec2 size, vec2 perTexel, float t)
     at = vec2(abs(at.x) < 1e30f ? at.x : 0.0f, abs(at.y) < 1e30f ? at.y : 0.0f); // so far out that texels are no numbers any more
     vec2 cells = floor(at);
     return moved(Walk(wrappedCell(cells, size, perTexel), at - cells, 1.0f, 0.0f), slope, size, perTexel, t);
+}
+
+// Texels to a unit of depth. What is next to nothing is 0, so that no rounding of it (which machines do differently) moves a ray over a wall
+// that it runs along.
+vec2 slopeOf(Ray ray, vec2 size)
+{
+    vec2 slope = ray.duv * size;
+    return vec2(abs(slope.x) > 1e-30f ? slope.x : 0.0f, abs(slope.y) > 1e-30f ? slope.y : 0.0f);
 }
 
 // One over the slope; where that is next to 0, a wall is never reached.

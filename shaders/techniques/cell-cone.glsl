@@ -9,14 +9,16 @@ Hit trace(Ray ray)
 {
     vec2 size = searchSize();
     vec2 perTexel = 1.0f / size;
-    vec2 slope = ray.duv * size;
+    vec2 slope = slopeOf(ray, size);
     vec2 inverse = inverseOf(slope);
     vec2 ahead = vec2(inverse.x < 0.0f ? 0.0f : 1.0f, inverse.y < 0.0f ? 0.0f : 1.0f);
     float texels = max(abs(slope.x), abs(slope.y));
     float past = 1e-5f / max(texels, 1e-3f); // a hundred-thousandth of a texel beyond a wall
     float travel = length(ray.duv);
-    if (!(texels < 1e12f))
+    if (!(texels < 1e12f)) {
+        gaveUp = true;
         return Hit(ray.uv + ray.duv, 1.0f, false, 0);
+    }
 
     // Codes of the texel: each channel is a node's highest point (upper byte) and the steepest rise from it (lower byte).
     vec4 scale = boundScale(); // lowest, range, steepest, highest
@@ -34,12 +36,14 @@ Hit trace(Ray ray)
     ivec4 codes = ivec4(0);
     int i = 0;
     float z = heightOf(walk);
-    while (i < 65536 && z > last) {
+    int most = kMostRounds / 2; // there are two loops
+    while (i < most && z > last) {
+        bool mayTouch = false;
         float best = 0.0f;
         float leave = 0.0f;
         // Leaps, until the ray stays in its cell and may touch it. Apart from the solving below, because machines that run many rays
         // in step pay for both.
-        while (i < 65536 && z > last) {
+        while (i < most && z > last) {
             vec2 inside = clamped() ? clamp(walk.cell, vec2(0.0f), size - 1.0f) : walk.cell;
             ivec2 key = ivec2(inside);
             if ((key >> 1) != held) { // else the ray is still over the texel's cells
@@ -71,14 +75,17 @@ Hit trace(Ray ray)
 
             leave = max(min(toWall.x, toWall.y), 0.0f);
             ++i;
-            if (best < leave)
+            mayTouch = best < leave || best <= 0.0f; // the second: just on a wall it may touch a corner
+            if (mayTouch)
                 break;
             walk = moved(walk, slope, size, perTexel, best * (1.0f + 2e-7f) + past);
             z = heightOf(walk);
         }
         float after = z - best;
-        if (after <= last || i >= 65536)
+        if (!mayTouch || after <= last) {
+            z = mayTouch ? after : z;
             break;
+        }
         ++fetches;
         float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, after, max(min(leave - best, after - lowest), 0.0f), past);
         if (s <= 1.0f) {
@@ -88,5 +95,6 @@ Hit trace(Ray ray)
         walk = moved(walk, slope, size, perTexel, leave * (1.0f + 2e-7f) + past);
         z = heightOf(walk);
     }
+    gaveUp = z > last;
     return Hit(ray.uv + ray.duv * ray.end, ray.end, endsOnFloor(ray), fetches);
 }

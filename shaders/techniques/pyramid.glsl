@@ -11,14 +11,16 @@ Hit trace(Ray ray)
     vec2 size = searchSize();
     ivec2 base = boundSize();
     vec2 perTexel = 1.0f / size;
-    vec2 slope = ray.duv * size;
+    vec2 slope = slopeOf(ray, size);
     vec2 inverse = inverseOf(slope);
     vec2 ahead = vec2(inverse.x < 0.0f ? 0.0f : 1.0f, inverse.y < 0.0f ? 0.0f : 1.0f);
     float texels = max(abs(slope.x), abs(slope.y));
     float past = 1e-5f / max(texels, 1e-3f); // a hundred-thousandth of a texel beyond a wall
     Hit miss = Hit(ray.uv + ray.duv * ray.end, ray.end, endsOnFloor(ray), 0);
-    if (!(texels < 1e12f))
+    if (!(texels < 1e12f)) {
+        gaveUp = true;
         return Hit(ray.uv + ray.duv, 1.0f, false, 0);
+    }
 
     int top = int(ceil(log2(max(size.x, size.y)) - 1e-4f));
     int level = top;
@@ -30,7 +32,7 @@ Hit trace(Ray ray)
     float last = lowest - (past > 1e-5f ? past : 0.0f); // what is beyond the last wall that a nearly vertical ray crosses is looked at too
     Walk walk = walkFrom(ray, slope, size, perTexel, 0.0f);
     int fetches = 0;
-    for (int i = 0; i < 65536 && heightOf(walk) > last; ++i) {
+    for (int i = 0; i < kMostRounds && heightOf(walk) > last; ++i) {
         float z = heightOf(walk);
         vec2 key = clamp(walk.cell, vec2(0.0f), size - 1.0f);
         float span = float(1 << level);
@@ -52,7 +54,8 @@ Hit trace(Ray ray)
         if (level > 0) {
             int slot = ((base.x - 1) >> (first + level)) + 1;
             float highest = boundTexel(ivec2((level - 1) * slot + int(node.x), shelf + int(node.y)));
-            if (leastHeight(z, min(leave, z - lowest)) < highest) {
+            float least = leastHeight(z, min(leave, z - lowest));
+            if (least < highest || (least == highest && leave <= 0.0f)) { // the second: just on a wall it may touch a corner
                 highest -= bendLeast(1.0f - z, 1.0f - z + leave);
                 walk = moved(walk, slope, size, perTexel, max(z - highest, 0.0f));
                 --level;
@@ -76,6 +79,7 @@ Hit trace(Ray ray)
             ++level;
         }
     }
+    gaveUp = heightOf(walk) > last;
     miss.fetches = fetches;
     return miss;
 }

@@ -5,7 +5,7 @@
 #include "core/state/state_json.h"
 #include "tests/app/window_support.h"
 #include <QMessageBox>
-#include <sys/prctl.h>
+#include <csignal>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -124,28 +124,68 @@ TEST_F(RecoveryTest, RestoredWorkIsThatOfItsProject)
     EXPECT_FLOAT_EQ(readState(State{}, file("wall.relievo").toStdString())->state.parameters.depth, 0.33f);
 }
 
-TEST_F(RecoveryTest, AProcessThatHasEndedDoesNotRun)
+// The names are random, so that a program with the number of one that was killed neither takes its copy for its own nor writes over it.
+TEST_F(RecoveryTest, ACopyUnderThisProcessNumberIsOfferedAndKept)
 {
+    const QString copy = leave(lost(), ("unsaved/" + std::to_string(getpid()) + ".relievo").c_str());
+    {
+        Recovery recovery(window.document(), file("unsaved"));
+        EXPECT_NE(recovery.file(), copy);
+        window.document().edit("Depth", [](State& s) { s.parameters.depth = 0.33f; });
+        ASSERT_TRUE(waitFor([&] { return QFile::exists(recovery.file()); }));
+        const auto found = leftBehind(file("unsaved"));
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->file, copy);
+        EXPECT_FALSE(leftBehind(file("unsaved"))) << "another program could be offered it meanwhile";
+    }
+    EXPECT_TRUE(QFile::exists(copy));
+    EXPECT_TRUE(leftBehind(file("unsaved")));
+}
+
+TEST_F(RecoveryTest, ACopyIsLeftBehindWhenItsProgramIsKilled)
+{
+    const QString copy = leave(lost());
+    int ready[2];
+    ASSERT_EQ(pipe(ready), 0);
     const pid_t child = fork();
     ASSERT_NE(child, -1);
-    if (child == 0) {
-        prctl(PR_SET_NAME, "relievo-editor");
+    if (child == 0) { // holds the copy's lock, as a program does whose document is modified
+        QLockFile lock(copy + ".lock");
+        lock.setStaleLockTime(0);
+        const char done = lock.tryLock(0) ? 'y' : 'n';
+        (void)!write(ready[1], &done, 1);
         for (;;)
             pause();
     }
-    const auto state = [&] {
-        QFile stat(QString("/proc/%1/stat").arg(child));
-        return stat.open(QIODevice::ReadOnly) ? stat.readAll() : QByteArray();
-    };
-    const bool named = waitFor([&] { return state().contains("(relievo-editor)"); });
-    const QString copy = leave(lost(), ("unsaved/" + std::to_string(child) + ".relievo").c_str());
-    const bool ran = !leftBehind(file("unsaved"));
+    char locked = 0;
+    ASSERT_EQ(read(ready[0], &locked, 1), 1);
+    EXPECT_EQ(locked, 'y');
+    EXPECT_FALSE(leftBehind(file("unsaved")));
     kill(child, SIGKILL);
-    const bool ended = waitFor([&] { return state().contains(") Z "); });
-    const auto found = leftBehind(file("unsaved"));
     waitpid(child, nullptr, 0);
-    EXPECT_TRUE(named && ran && ended);
-    EXPECT_TRUE(found) << "nobody has asked for its end, but it does not run";
+    EXPECT_TRUE(QFile::exists(copy + ".lock"));
+    EXPECT_TRUE(leftBehind(file("unsaved")));
+    EXPECT_FALSE(QFile::exists(copy + ".lock")) << "given back";
+    close(ready[0]);
+    close(ready[1]);
+}
+
+// In a container the next program has the number of the killed one, and so has the lock that was left.
+TEST_F(RecoveryTest, ALockWithThisProcessNumberIsNoSignOfLife)
+{
+    const QString copy = leave(lost());
+    QFile stale(copy + ".lock");
+    {
+        QLockFile lock(copy + ".lock");
+        ASSERT_TRUE(lock.tryLock(0));
+        ASSERT_TRUE(stale.open(QIODevice::ReadOnly));
+    }
+    const QByteArray content = stale.readAll();
+    stale.close();
+    ASSERT_TRUE(stale.open(QIODevice::WriteOnly));
+    stale.write(content);
+    stale.close();
+    EXPECT_TRUE(leftBehind(file("unsaved")));
 }
 
 TEST_F(RecoveryTest, EscapeKeepsWhatWasLeftBehind)

@@ -93,6 +93,25 @@ TEST(BadInput, SixteenThousandTexelsWideIsReducedInBoundedMemory)
     EXPECT_LT(peakMemoryMiB(), 3 * 1024);
 }
 
+TEST(BadInput, NamesFromFilesDoNotReachTheTerminalRaw)
+{
+    TestFolder folder("names");
+    const std::string wild = "a\\u001b[2J\\u009b2J\\u007f\\n\\u0000" + std::string(1 << 20, 'x');
+    writeAll(folder / "p.relievo",
+        "{\"relievo\":1,\"name\":\"" + wild + "\",\"" + wild + "\":1,\"view\":\"" + wild + "\",\"mesh\":\"" + wild + "\",\"part\":\"" + wild
+            + "\",\"maps\":{\"height\":{\"file\":\"" + wild + "\"}}}");
+    const auto isRaw = [](const std::string& text) {
+        return text.find_first_of(std::string_view("\x1b\x7f\0", 3)) != text.npos || text.find("\u009b") != text.npos;
+    };
+    for (const std::string command : {"info ", "info --json ", "render -o x.png --size 16x16 ", "export --target textures -o x "}) {
+        const ProgramRun run = runRelievo(command + (folder / "p.relievo"));
+        EXPECT_LT(run.exitCode, 2) << command;
+        EXPECT_FALSE(isRaw(run.out) || isRaw(run.err)) << command;
+        EXPECT_LT(run.err.size(), 20'000u) << command;
+        EXPECT_LT(command == "info --json " ? 0u : run.out.size(), 20'000u) << command;
+    }
+}
+
 TEST(BadInput, TruncatedImagesAreNamedAndTheRestIsKept)
 {
     TestFolder folder("truncated");

@@ -70,10 +70,12 @@ TEST(Cli, WrongUsageIsTwo)
             "export " + kSource + "--target gltf -o " + (folder / "x.gltf"), "render " + kSource + out + " --view nosuch --views normal",
             "render " + kSource + "-o x.exr --views normal,normal", "render " + kSource + out + " --height a.png --depth-map b.png",
             "bake " + kSource + out + " --map cone --bits 32", "bake " + kSource + "--map normal -o x.jpg",
-            "bake " + kSource + out + " --map cell-cone --bits 8", "describe nothing", std::string("no-such-command")}) {
+            "bake " + kSource + out + " --map cell-cone --bits 8", "describe nothing", std::string("no-such-command"), "--nonsense",
+            "sample:bricks --nonsense", "trace", "info", "render " + kSource + out + " --samples many"}) {
         const ProgramRun run = runRelievo(arguments);
         EXPECT_EQ(run.exitCode, 2) << arguments << run.err;
-        EXPECT_FALSE(run.err.empty()) << arguments;
+        EXPECT_EQ(run.err.rfind("relievo: error: ", 0), 0u) << arguments << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << arguments << run.err;
     }
 }
 

@@ -111,6 +111,36 @@ TEST(TraceGl, RaysFarOutAreAnswered)
     }
 }
 
+// Given up on both, and next to nothing is nothing on both.
+TEST(TraceGl, LimitsAreTheSameOnBoth)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    std::vector<float> heights(64 * 64);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] = float(i * 7919 % 251) / 251.f;
+    heights[0] = 1.f;
+    const HeightField rough(64, 64, heights, Wrap::Clamp, 32);
+    std::ranges::fill(heights, 0.f);
+    heights[0] = 1.f;
+    const HeightField needle(64, 64, heights, Wrap::Repeat, 32);
+    const std::vector<SearchRay> rays{{{0.5, 0.5}, {2e5, 0.}, 0.01}, {{0.5, 0.5}, {1e20, 0.}, 0.01},
+        {{0.38, 12.5 / 64.}, {0.84, -1e-38}, 0.5}, {{0.38, 12.5 / 64.}, {0.84, 1e-40}, 0.5}, {{0.5 / 64., 0.5 / 64.}, {-1., 0.}, 0.5},
+        {{0.5 / 64., 1e-42}, {0., -1e-42}, 0.5}};
+    for (const char* key : {"pyramid", "cell-cone"})
+        for (const HeightField& field : {rough, needle}) {
+            const auto cpu = traceRays(key, Parameters(), &field, rays), gpu = traceRaysOnGpu(key, Parameters(), &field, rays);
+            ASSERT_TRUE(cpu && gpu);
+            EXPECT_EQ((*cpu)[0].isUnfinished, field.wrap() == Wrap::Repeat) << key;
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                EXPECT_EQ((*cpu)[i].isUnfinished, (*gpu)[i].isUnfinished) << key << i;
+                EXPECT_EQ((*cpu)[i].found, (*gpu)[i].found) << key << i;
+                EXPECT_EQ((*cpu)[i].fetches, (*gpu)[i].fetches) << key << i;
+                EXPECT_NEAR((*cpu)[i].t, (*gpu)[i].t, 1e-5) << key << i;
+            }
+        }
+}
+
 TEST(TraceGl, ReferenceIsCpuOnly)
 {
     const auto context = WindowlessContext::create();

@@ -153,8 +153,8 @@ void ExportDialog::write(const QString& out)
     m_result->hide();
     m_assets.messages().clear("export");
     m_background.start([this, row = m_form->target(), state = m_document.state(), resources = m_assets.resources(), out,
-                           size = m_form->size()](const Progress& progress) -> Background::Then {
-        const auto result = row.run(ExportJob{state, resources, out.toStdString(), size, progress});
+                           size = m_form->size(), project = m_document.file().toStdString()](const Progress& progress) -> Background::Then {
+        const auto result = row.run(ExportJob{state, resources, out.toStdString(), size, progress, {project}});
         return [this, out, result] { written(out, result); };
     });
 }

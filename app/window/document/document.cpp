@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/document.h"
+#include "core/ground/shown_text.h"
 #include "core/state/state_json.h"
 #include <QFileInfo>
 #include <QUndoCommand>
@@ -154,7 +155,7 @@ Expected<void> Document::save(const QString& file)
 
 QString Document::name() const
 {
-    return m_file.isEmpty() ? QString::fromStdString(m_state.name) : QFileInfo(m_file).completeBaseName();
+    return m_file.isEmpty() ? QString::fromStdString(shownName(m_state.name)) : QFileInfo(m_file).completeBaseName();
 }
 
 void Document::replace(const State& next)

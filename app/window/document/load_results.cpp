@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/load_results.h"
 #include "app/window/document/recent_files.h"
+#include "core/ground/shown_text.h"
 #include "core/scene/source.h"
 #include <QFileInfo>
 #include <cmath>
@@ -78,7 +79,7 @@ void apply(const OpenInto& job, const Loaded& loaded, Document& document)
     bringMaps(next, loaded, isBuiltInSource(job.source.toStdString()));
     fitDepth(next, loaded.base, loaded);
     if (job.asStep || editedSince(job.before, document))
-        document.edit(QObject::tr("Open %1").arg(QString::fromStdString(next.name)), [&](State& state) { state = next; });
+        document.edit(QObject::tr("Open %1").arg(QString::fromStdString(shownName(next.name))), [&](State& state) { state = next; });
     else
         document.start(next, {});
     addToRecent(job.source);

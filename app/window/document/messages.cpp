@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/messages.h"
+#include "core/ground/shown_text.h"
 #include <algorithm>
 
 namespace relievo {
@@ -22,7 +23,7 @@ void Messages::set(const QString& source, const Warnings& warnings)
 {
     QList<Message> messages;
     for (const Warning& warning : warnings)
-        messages.append({false, QString::fromStdString(warning.text)});
+        messages.append({false, QString::fromStdString(shownText(warning.text))});
     set(source, messages);
 }
 

@@ -53,6 +53,8 @@ Error inWords(const Broken& broken, bool writes, const std::string& where)
     case HelperTrouble::NotFound:
         return {"the program relievo-imageio, which reads and writes images, could not be started", where,
             "Install it beside relievo, or set RELIEVO_IMAGEIO to its path"};
+    case HelperTrouble::OutOfTime:
+        return {"decoding it takes far longer than an image of its size can need", where, cure, code};
     case HelperTrouble::TimedOut:
         return {"the image library made no progress for 20 seconds", where, cure, code};
     case HelperTrouble::Cancelled:

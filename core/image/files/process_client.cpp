@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace relievo {
@@ -153,10 +154,22 @@ bool HelperProcess::receive(std::span<std::byte> bytes, const Progress& progress
         if (got < 0 && errno == EINTR)
             continue;
         if (got <= 0)
-            return fail(HelperTrouble::Died);
+            return fail(got == 0 && endedOutOfTime() ? HelperTrouble::OutOfTime : HelperTrouble::Died);
         bytes = bytes.subspan(std::size_t(got));
     }
     return true;
+}
+
+// Asked when its output has ended: then it has ended, too, or is just about to.
+bool HelperProcess::endedOutOfTime()
+{
+    int status = 0;
+    const pid_t ended = ::waitpid(m_process->child.id(), &status, 0);
+    if (ended != m_process->child.id())
+        return false;
+    m_process->child.detach(); // collected: its number may be another's by now
+    m_process.reset();
+    return WIFEXITED(status) && WEXITSTATUS(status) == imageio::kOutOfTime;
 }
 
 } // namespace relievo

@@ -10,7 +10,7 @@
 
 namespace relievo {
 
-enum class HelperTrouble { None, NotFound, Died, TimedOut, Cancelled };
+enum class HelperTrouble { None, NotFound, Died, OutOfTime, TimedOut, Cancelled }; // OutOfTime: it ended itself (kOutOfTime)
 
 // Tells a hanging helper from a hanging file: two fresh helpers in a row that timed out are no file's fault.
 class HangGuard {
@@ -50,6 +50,7 @@ public:
 private:
     bool wait(int handle, short events, const Progress& progress);
     bool fail(HelperTrouble trouble);
+    bool endedOutOfTime();
     struct Process;
     std::unique_ptr<Process> m_process;
     int m_in = -1, m_out = -1; // our ends of its stdin (a socket, so that a dead reader raises no SIGPIPE) and stdout (a pipe)

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <linux/fs.h>
 #include <new>
 #include <set>
@@ -38,6 +39,17 @@ BakedMap pyramid()
 {
     const BakedMapRow& row = *findBakedMap("pyramid");
     return storedMap(row, *bakeMap(row, field(), Parameters()), row.bits);
+}
+
+std::optional<BakedMap> onDisk(const TemporaryFolder& folder, const std::string& key)
+{
+    return mapOnDisk(folder.path(), key, shapeOf(*findBakedMap("pyramid"), field()));
+}
+
+// As its own file would be read.
+std::optional<BakedMap> repacked(const BakedMap& map)
+{
+    return unpackedMap("k", shapeOf(*findBakedMap("pyramid"), field()), packedMap("k", map));
 }
 
 std::vector<fs::path> filesIn(const fs::path& folder)
@@ -90,23 +102,24 @@ TEST(MapCache, KeysTellApartWhateverTheMapDependsOn)
 TEST(MapCache, FilesReadBackAndNothingElseDoes)
 {
     const BakedMap map = pyramid();
+    const MapShape shape = shapeOf(map);
     const std::vector<std::byte> packed = packedMap("a key", map);
-    ASSERT_TRUE(unpackedMap("a key", packed));
-    EXPECT_TRUE(same(*unpackedMap("a key", packed), map));
-    EXPECT_FALSE(unpackedMap("b key", packed));
-    EXPECT_FALSE(unpackedMap("a longer key", packed));
+    ASSERT_TRUE(unpackedMap("a key", shape, packed));
+    EXPECT_TRUE(same(*unpackedMap("a key", shape, packed), map));
+    EXPECT_FALSE(unpackedMap("b key", shape, packed));
+    EXPECT_FALSE(unpackedMap("a longer key", shape, packed));
     std::mt19937 random(9);
     for (std::size_t size = 0; size < packed.size(); size += size < 300 ? 1 : 37)
-        EXPECT_FALSE(unpackedMap("a key", std::span(packed).first(size))) << size;
+        EXPECT_FALSE(unpackedMap("a key", shape, std::span(packed).first(size))) << size;
     for (int trial = 0; trial < 20000; ++trial) {
         std::vector<std::byte> spoilt = packed;
         for (unsigned flips = 1 + random() % 4; flips > 0; --flips)
             spoilt[random() % (trial % 2 ? 200 : spoilt.size())] ^= std::byte(1 << random() % 8);
-        ASSERT_TRUE(spoilt == packed || !unpackedMap("a key", spoilt)) << trial;
+        ASSERT_TRUE(spoilt == packed || !unpackedMap("a key", shape, spoilt)) << trial;
     }
     std::vector<std::byte> longer = packed;
     longer.push_back(std::byte(0));
-    EXPECT_FALSE(unpackedMap("a key", longer));
+    EXPECT_FALSE(unpackedMap("a key", shape, longer));
 }
 
 // A checksum that fits does not make a wrong head right.
@@ -114,23 +127,109 @@ TEST(MapCache, HeadsThatLieAreRefused)
 {
     BakedMap map = pyramid();
     map.levels[0].width += 1;
-    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    EXPECT_FALSE(repacked(map));
     map = pyramid();
     map.levels[0].height = 1 << 30;
     map.levels[0].width = 1 << 30;
-    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    EXPECT_FALSE(repacked(map));
     map = pyramid();
     map.levels[1].channels = 0;
-    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    EXPECT_FALSE(repacked(map));
     map = pyramid();
     map.slices = 0;
-    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    EXPECT_FALSE(repacked(map));
     map = pyramid();
     map.levels[0].type = PixelType(7);
-    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    EXPECT_FALSE(repacked(map));
     map = pyramid();
     map.levels.clear();
-    EXPECT_FALSE(unpackedMap("k", packedMap("k", map)));
+    EXPECT_FALSE(repacked(map));
+}
+
+// Another size that holds as many bytes, fewer levels, another kind of pixel: nothing of it is taken from the file.
+TEST(MapCache, OtherShapesAreRefused)
+{
+    ASSERT_TRUE(repacked(pyramid()));
+    BakedMap map = pyramid();
+    std::swap(map.levels[0].width, map.levels[1].width);
+    EXPECT_FALSE(repacked(map));
+    map = pyramid();
+    map.levels[0].width *= 2, map.levels[0].height /= 2;
+    EXPECT_FALSE(repacked(map));
+    map = pyramid();
+    map.levels.pop_back();
+    EXPECT_FALSE(repacked(map));
+    map = pyramid();
+    map.levels.push_back(map.levels.back());
+    EXPECT_FALSE(repacked(map));
+    map = pyramid();
+    map.slices = 2;
+    EXPECT_FALSE(repacked(map));
+    map = pyramid();
+    for (Image& level : map.levels) // one byte a channel and two channels: as many bytes
+        level.type = PixelType::U8, level.channels = 2;
+    EXPECT_FALSE(repacked(map));
+}
+
+TEST(MapCache, EveryBakeHasTheShapeAndTheScalesOfItsRow)
+{
+    for (const BakedMapRow& row : kBakedMaps)
+        for (const auto& [width, height] : {std::pair(24, 24), {1, 1}, {5, 3}, {1, 37}, {130, 7}}) {
+            if (!row.bake)
+                continue;
+            for (const float most : {1.f, 0.4f, 0.f}) {
+                const HeightField heights = fieldOf(
+                    width, height, [&](int x, int y) { return most * float((x * 7 + y * 13) % 29) / 28.f; }, Wrap::Clamp);
+                const BakedMap map = storedMap(row, *bakeMap(row, heights, Parameters()), row.bits);
+                EXPECT_EQ(shapeOf(map), shapeOf(row, heights)) << row.key << ' ' << width << 'x' << height;
+                EXPECT_TRUE(hasSoundValues(row, heights, map)) << row.key << ' ' << width << 'x' << height << ' ' << most;
+            }
+        }
+}
+
+// With a checksum that fits: what no bake gives is baked again.
+TEST(MapCache, ScalesOutOfRangeAreBakedAgain)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    for (const BakedMapRow& row : kBakedMaps) {
+        if (!row.bake)
+            continue;
+        const OwnCache cache;
+        const auto good = cachedMap(row, field(), Parameters());
+        ASSERT_TRUE(good);
+        const std::string key = mapKey(row, field(), Parameters());
+        for (int c = 0; c < row.channels; ++c)
+            for (const float scale : {nan, infinite, -1.f, -infinite}) {
+                BakedMap spoilt = **good;
+                spoilt.scale[c] = scale;
+                keepOnDisk(cache.path(), key, spoilt);
+                forgetMapsInMemory();
+                const auto again = cachedMap(row, field(), Parameters());
+                ASSERT_TRUE(again);
+                EXPECT_TRUE(same(**good, **again)) << row.key << ' ' << c << ' ' << scale;
+            }
+    }
+}
+
+TEST(MapCache, BoundsBelowTheHeightsAreBakedAgain)
+{
+    const OwnCache cache;
+    const BakedMapRow& cones = *findBakedMap("cell-cone");
+    const auto good = *cachedMap(cones, field(), Parameters());
+    for (const glm::vec4 less : {glm::vec4(0.f, 0.f, 0.f, 0.1f), {0.f, 0.1f, 0.f, 0.f}, {-0.1f, 0.f, 0.f, 0.f}}) {
+        BakedMap spoilt = *good;
+        spoilt.scale -= less;
+        keepOnDisk(cache.path(), mapKey(cones, field(), Parameters()), spoilt);
+        forgetMapsInMemory();
+        EXPECT_TRUE(same(*good, **cachedMap(cones, field(), Parameters())));
+    }
+    const BakedMapRow& maxima = *findBakedMap("pyramid");
+    BakedMap low = **cachedMap(maxima, field(), Parameters());
+    const BakedMap whole = low;
+    std::ranges::fill(low.levels.back().data, std::byte(0));
+    keepOnDisk(cache.path(), mapKey(maxima, field(), Parameters()), low);
+    forgetMapsInMemory();
+    EXPECT_TRUE(same(whole, **cachedMap(maxima, field(), Parameters())));
 }
 
 TEST(MapCache, AMapIsBakedOnceAndReadAfterwards)
@@ -191,13 +290,13 @@ TEST(MapCache, TheOldestFilesMakeRoom)
         keepOnDisk(folder.path(), key, map, size * 3);
         for (const fs::path& file : filesIn(folder.path())) // the clock of files is coarse
             fs::last_write_time(file, fs::last_write_time(file) - std::chrono::seconds(1));
-        EXPECT_TRUE(mapOnDisk(folder.path(), "0")) << "used each time";
+        EXPECT_TRUE(onDisk(folder, "0")) << "used each time";
     }
     EXPECT_EQ(filesIn(folder.path()).size(), 3u);
-    EXPECT_TRUE(mapOnDisk(folder.path(), "5"));
-    EXPECT_FALSE(mapOnDisk(folder.path(), "2"));
+    EXPECT_TRUE(onDisk(folder, "5"));
+    EXPECT_FALSE(onDisk(folder, "2"));
     keepOnDisk(folder.path(), "large", map, size / 2);
-    EXPECT_FALSE(mapOnDisk(folder.path(), "large")) << "larger than all room";
+    EXPECT_FALSE(onDisk(folder, "large")) << "larger than all room";
 }
 
 TEST(MapCache, OnlyFilesOfTheCacheMakeRoom)
@@ -215,7 +314,7 @@ TEST(MapCache, OnlyFilesOfTheCacheMakeRoom)
     for (const fs::path& file : filesIn(folder.path()))
         fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
     keepOnDisk(folder.path(), "0", map, size);
-    EXPECT_TRUE(mapOnDisk(folder.path(), "0")) << "files of others do not count";
+    EXPECT_TRUE(onDisk(folder, "0")) << "files of others do not count";
     EXPECT_EQ(filesIn(folder.path()).size(), foreign.size() + 1);
     for (const fs::path& file : foreign)
         EXPECT_TRUE(fs::exists(file)) << file;
@@ -264,7 +363,7 @@ TEST(MapCache, AFileThatCannotBeRemovedStillCounts)
         keepOnDisk(folder.path(), "2", map, 2 * size);
         EXPECT_TRUE(fs::exists(oldest));
         EXPECT_EQ(filesIn(folder.path()).size(), 2u) << "the next oldest makes room instead";
-        EXPECT_TRUE(mapOnDisk(folder.path(), "2"));
+        EXPECT_TRUE(onDisk(folder, "2"));
     }
     keepOnDisk(folder.path(), "3", map, size);
     EXPECT_EQ(filesIn(folder.path()).size(), 1u);
@@ -278,8 +377,8 @@ TEST(MapCache, AMapWhoseFileExceedsTheRoomIsNotWritten)
     ASSERT_GT(size - 1, map.bytes());
     keepOnDisk(folder.path(), "0", map, size);
     keepOnDisk(folder.path(), "1", map, size - 1);
-    EXPECT_TRUE(mapOnDisk(folder.path(), "0")) << "exactly fits, and made no room for what does not";
-    EXPECT_FALSE(mapOnDisk(folder.path(), "1"));
+    EXPECT_TRUE(onDisk(folder, "0")) << "exactly fits, and made no room for what does not";
+    EXPECT_FALSE(onDisk(folder, "1"));
 }
 
 TEST(AccelerationMap, AVolumeIsBakedOnceForAllHeightLevels)
