@@ -32,6 +32,8 @@ struct StateOptions {
     std::vector<std::string> set;
     std::map<std::string, std::string> maps; // by map kind's key
     void addTo(CLI::App& command);
+    void addMapsTo(CLI::App& command); // only --height, --depth-map, --color ...
+    bool givesMaps() const;
     bool changesState() const; // anything but SOURCE was given
 };
 

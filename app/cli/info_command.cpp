@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/ground/file.h"
+#include "core/scene/relief_numbers.h"
 #include "core/state/shapes.h"
 #include <algorithm>
 #include <cstdio>
@@ -16,32 +17,52 @@ namespace {
 
 struct InfoOptions {
     Common common;
-    std::string source;
+    StateOptions state; // SOURCE and the maps given by hand
 };
+
+TextureSet setOf(const Opened& opened, const std::filesystem::path& folder)
+{
+    TextureSet set = textureSetOf(opened.state.name, opened.state.slots, folder);
+    set.warnings.insert(set.warnings.begin(), opened.warnings.begin(), opened.warnings.end());
+    return set;
+}
 
 // One JSON object for all kinds of source; the text for people is made from it.
 Result<Json> infoOf(const InfoOptions& options)
 {
     const Progress progress = shownProgress(options.common);
-    if (isMeshFile(options.source) || std::ranges::count(kShapes, options.source)) {
-        auto mesh = openMesh(options.source, progress);
+    const std::string& source = options.state.source;
+    if (source.empty() && !options.state.givesMaps())
+        return problem({"there is nothing to tell of", "SOURCE", "Name a folder, an image, a project or a mesh"}, WrongUsage);
+    if (options.state.givesMaps()) {
+        const auto opened = openState(options.state, progress);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        std::error_code code;
+        const bool isFolder = std::filesystem::is_directory(source, code);
+        return Json::parse(textureSetJson(setOf(*opened, isFolder ? absolutePath(source) : absolutePath(source).parent_path())));
+    }
+    if (isMeshFile(source) || std::ranges::count(kShapes, source)) {
+        auto mesh = openMesh(source, progress);
         if (!mesh)
             return problem(mesh.error());
         const Warnings faults = inspectMesh(*mesh);
         mesh->warnings.insert(mesh->warnings.end(), faults.begin(), faults.end());
         return Json::parse(meshJson(*mesh));
     }
-    if (isProjectFile(options.source) || isBuiltInSource(options.source)) {
-        const auto opened = openSource(options.source, State(), progress);
+    if (isProjectFile(source) || isBuiltInSource(source)) {
+        const auto opened = openSource(source, State(), progress);
         if (!opened)
             return problem(opened.error());
-        auto set = textureSetOf(opened->state.name, opened->state.slots, absolutePath(options.source).parent_path());
-        set.warnings.insert(set.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
-        return Json::parse(textureSetJson(set));
+        return Json::parse(textureSetJson(setOf(*opened, absolutePath(source).parent_path())));
     }
-    const auto set = openTextureSet(options.source, progress);
+    auto set = openTextureSet(source, progress);
     if (!set)
         return problem(set.error());
+    State state; // would be given these numbers
+    state.slots = set->slots();
+    if (const auto heights = set->images.find(state.slots[std::size_t(MapKind::Height)].file); heights != set->images.end())
+        takeHeightNumbers(state, heights->second->image, set->warnings);
     return Json::parse(textureSetJson(*set));
 }
 
@@ -83,7 +104,8 @@ void addInfo(CLI::App& app, int& exitCode)
 {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = app.add_subcommand("info", "What is in a texture set, project or mesh");
-    command->add_option("SOURCE", options->source, "Texture set, image, project, or mesh")->required();
+    command->add_option("SOURCE", options->state.source, "Texture set, image, project, or mesh");
+    options->state.addMapsTo(*command);
     options->common.addTo(*command);
     command->callback([options, &exitCode] {
         const auto info = infoOf(*options);

@@ -87,9 +87,14 @@ std::pair<int, int> channelRange(const Image& image, Channel channel)
     return {index, index + 1};
 }
 
+bool hasAlpha(const Image& image)
+{
+    return image.channels % 2 == 0;
+}
+
 bool hasChannel(const Image& image, Channel channel)
 {
-    return channel == Channel::Rgb || int(channel) < image.channels || (channel == Channel::A && image.channels == 2);
+    return channel != Channel::A || hasAlpha(image);
 }
 
 bool hasEqualRgb(const Image& image)
@@ -115,9 +120,18 @@ bool looksGrey(const Image& image)
     return true;
 }
 
+bool onlyRedVaries(const Image& image)
+{
+    const auto constant = [&](Channel channel) {
+        const auto [low, high] = rangeOf(image, channel);
+        return low == high;
+    };
+    return image.channels >= 3 && constant(Channel::G) && constant(Channel::B) && !constant(Channel::R);
+}
+
 Channel scalarChannel(const Image& image, Channel channel)
 {
-    return channel == Channel::Rgb && hasEqualRgb(image) ? Channel::R : channel;
+    return channel == Channel::Rgb && (hasEqualRgb(image) || onlyRedVaries(image)) ? Channel::R : channel;
 }
 
 std::pair<double, double> rangeOf(const Image& image, Channel channel)
@@ -143,7 +157,7 @@ std::pair<double, double> rangeOf(const Image& image, Channel channel)
 
 bool alphaVaries(const Image& image)
 {
-    if (image.channels != 2 && image.channels != 4)
+    if (!hasAlpha(image))
         return false;
     const auto [low, high] = rangeOf(image, Channel::A);
     return low < high;

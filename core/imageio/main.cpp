@@ -72,9 +72,9 @@ void answer(Channel& channel, Message message, std::span<const std::byte> bytes)
     if (message == Message::Write)
         return answerWrite(channel, writeRequest(packet));
     const std::string file = packet.text();
-    if (message == Message::ReadBytes)
-        return answerReadBytes(channel, packet.number());
-    answerRead(channel, file, relievo::lowerSuffix(file).erase(0, 1), message == Message::Info);
+    if (message == Message::ReadBytes || message == Message::InfoBytes)
+        return answerReadBytes(channel, packet.number(), message == Message::InfoBytes);
+    answerRead(channel, {file, relievo::lowerSuffix(file).erase(0, 1), packet.text()}, message == Message::Info);
 }
 
 // A refusal in the middle of a reply is fine: the editor drops what came before.
@@ -88,7 +88,7 @@ bool answerSafely(Channel& channel, Message message, std::span<const std::byte> 
     } catch (const std::exception&) {
         channel.fail({"the image library gave up on it", "The file is damaged: export it again from the program that made it"});
     }
-    return message != Message::Write && message != Message::ReadBytes; // their input may be only half taken
+    return message == Message::Info || message == Message::Read; // their input may be only half taken
 }
 } // namespace
 
