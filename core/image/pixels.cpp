@@ -120,18 +120,24 @@ bool looksGrey(const Image& image)
     return true;
 }
 
-bool onlyRedVaries(const Image& image)
+std::optional<Channel> onlyVarying(const Image& image)
 {
-    const auto constant = [&](Channel channel) {
+    std::optional<Channel> varying;
+    for (const Channel channel : {Channel::R, Channel::G, Channel::B}) {
         const auto [low, high] = rangeOf(image, channel);
-        return low == high;
-    };
-    return image.channels >= 3 && constant(Channel::G) && constant(Channel::B) && !constant(Channel::R);
+        if (low != high && varying)
+            return std::nullopt;
+        if (low != high)
+            varying = channel;
+    }
+    return varying;
 }
 
 Channel scalarChannel(const Image& image, Channel channel)
 {
-    return channel == Channel::Rgb && (hasEqualRgb(image) || onlyRedVaries(image)) ? Channel::R : channel;
+    if (channel != Channel::Rgb)
+        return channel;
+    return hasEqualRgb(image) ? Channel::R : onlyVarying(image).value_or(channel);
 }
 
 std::pair<double, double> rangeOf(const Image& image, Channel channel)

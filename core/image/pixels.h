@@ -4,6 +4,7 @@
 #pragma once
 #include "core/image/image.h"
 #include "core/state/map_slots.h"
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,8 @@ bool hasAlpha(const Image& image);
 bool hasChannel(const Image& image, Channel channel); // greys stand for red, green and blue; nothing stands for alpha
 bool hasEqualRgb(const Image& image); // grey stored as colour; true for one or two channels
 bool looksGrey(const Image& image); // as hasEqualRgb, but for the small differences that JPEG leaves
-bool onlyRedVaries(const Image& image); // green and blue are constant: they say nothing
-Channel scalarChannel(const Image& image, Channel channel); // Rgb becomes R where red is all there is to know
+std::optional<Channel> onlyVarying(const Image& image); // of red, green and blue; the others are constant and say nothing
+Channel scalarChannel(const Image& image, Channel channel); // Rgb becomes the one channel where that is all there is to know
 std::pair<double, double> rangeOf(const Image& image, Channel channel); // min and max of its finite values; (0, 0) without any
 bool isMostlyBlack(const Image& image); // its colours' mean as stored is below 0.1: black with lights in it
 bool alphaVaries(const Image& image); // has an alpha channel that is not the same everywhere

@@ -126,6 +126,8 @@ tl::expected<void, Refusal> checkSize(const Picture& picture)
 // The number that becomes 1 where whole numbers are sent as floats.
 std::uint64_t storedMaximum(const Picture& picture)
 {
+    if (picture.threeBytes)
+        return 0xffffff;
     if (picture.type != PixelType::F32 || !picture.spec.channelformats.empty())
         return 0;
     switch (picture.spec.format.basetype) {
@@ -150,6 +152,9 @@ tl::expected<void, Refusal> checkSamples(const TiffTags& tags)
     const bool faithful = tags.format == kFloat ? isOneOf({16, 32, 64})
         : tags.format == kSigned                ? isOneOf({8, 16, 32})
                                                 : tags.format < kSigned && isOneOf({1, 2, 4, 6, 8, 10, 12, 14, 16, 24, 32});
+    constexpr int kLab = 8, kLastLab = 10; // CIE, ICC and ITU
+    if (tags.photometric >= kLab && tags.photometric <= kLastLab)
+        return tl::unexpected(Refusal{"its colors are stored as L*a*b*, which is not read", "Convert it to RGB"});
     if (faithful)
         return {};
     const char* const kind = tags.format == kFloat ? "floats" : tags.format > kFloat ? "values of a rare kind" : "numbers";
@@ -160,6 +165,7 @@ tl::expected<void, Refusal> checkSamples(const TiffTags& tags)
 // White as the smallest number is turned by the library only in up to 8 bits.
 void takeTags(Picture& picture, const TiffTags& tags)
 {
+    picture.threeBytes = tags.bits == 24;
     picture.inverted = tags.photometric == 0 && !(tags.bits <= 8 && tags.format == 1);
     if (!tags.survey)
         return;

@@ -26,6 +26,7 @@ struct Picture {
     int part = 0, firstChannel = 0; // of the file, where the channels lie that are read
     PixelType type = PixelType::U8;
     int channels = 1; // that are read, at most 4
+    bool threeBytes = false; // whole numbers of 24 bits, whose bytes the library takes in the wrong order
     bool inverted = false; // white is the smallest number, and the library leaves it so
     Window data; // pixels the file holds
     Window shown; // pixels the image is made of; those outside `data` are 0

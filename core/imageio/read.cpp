@@ -93,8 +93,11 @@ public:
                 continue;
             if (!readRows(y, end))
                 return tl::unexpected(refusalFrom(*m_picture.format, m_picture.input->geterror(), file));
+            const std::size_t values = std::size_t(end - y) * std::size_t(m_picture.data.width) * std::size_t(m_picture.channels);
+            if (m_picture.threeBytes)
+                orderBytes(values);
             if (m_picture.inverted)
-                invert(std::size_t(end - y) * std::size_t(m_picture.data.width) * std::size_t(m_picture.channels));
+                invert(values);
             place(y, end);
         }
         sendEmpty(std::max(data.y + data.height, shown.y), shown.y + shown.height);
@@ -126,12 +129,24 @@ private:
     bool readRows(int y, int end)
     {
         const OIIO::ImageSpec& spec = m_picture.spec;
-        const OIIO::TypeDesc type = libraryType(m_picture.type);
+        const OIIO::TypeDesc type = m_picture.threeBytes ? OIIO::TypeDesc(OIIO::TypeDesc::UINT32) : libraryType(m_picture.type);
         const int part = m_picture.part, first = m_picture.firstChannel, last = first + m_picture.channels;
         if (spec.tile_width > 0)
             return m_picture.input->read_tiles(
                 part, 0, spec.x, spec.x + spec.width, y, end, spec.z, spec.z + 1, first, last, type, m_strip.data());
         return m_picture.input->read_scanlines(part, 0, y, end, spec.z, first, last, type, m_strip.data());
+    }
+
+    // 32 bits whose upper three bytes are the number's, the lowest first, become shares of the largest number.
+    void orderBytes(std::size_t values)
+    {
+        for (std::byte* at = m_strip.data(); values > 0; --values, at += 4) {
+            std::uint32_t stored;
+            std::memcpy(&stored, at, sizeof stored);
+            const std::uint32_t number = stored >> 24 | (stored >> 8 & 0xff00) | (stored << 8 & 0xff0000);
+            const float share = float(double(number) / 0xffffff);
+            std::memcpy(at, &share, sizeof share);
+        }
     }
 
     // Turns white, the smallest number of the file, into the largest. Alpha has no such turn.

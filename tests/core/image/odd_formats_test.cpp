@@ -51,6 +51,12 @@ TEST(OddTiff, WhiteAsTheSmallestNumberIsTurnedInAllDepths)
         ASSERT_TRUE(longs) << message(longs.error());
         EXPECT_EQ(longs->image.storedMaximum, 4294967295.);
         expectRamp(longs->image, [&](int i) { return turned(float(i) / 255.f); });
+        std::string triples;
+        for (int i = 0; i < kSize * kSize; ++i)
+            triples += std::string({char(i * 7 & 255), char(i * 91 & 255), char(i)}); // the highest byte last
+        const auto threes = read(24, 1, white, triples);
+        ASSERT_TRUE(threes) << message(threes.error());
+        expectRamp(threes->image, [&](int i) { return turned(float(i * 65536 + (i * 91 & 255) * 256 + (i * 7 & 255)) / 16777215.f); });
         const auto floats = read(32, 3, white, ramp<float>(1. / 255));
         ASSERT_TRUE(floats) << message(floats.error());
         expectRamp(floats->image, [&](int i) { return turned(float(i) / 255.f); });
