@@ -32,15 +32,14 @@ Result<Json> infoOf(const InfoOptions& options)
 {
     const Progress progress = shownProgress(options.common);
     const std::string& source = options.state.source;
-    if (source.empty() && !options.state.givesMaps())
-        return problem({"there is nothing to tell of", "SOURCE", "Name a folder, an image, a project or a mesh"}, WrongUsage);
     if (options.state.givesMaps()) {
         const auto opened = openState(options.state, progress);
         if (!opened)
             return tl::unexpected(opened.error());
         std::error_code code;
-        const bool isFolder = std::filesystem::is_directory(source, code);
-        return Json::parse(textureSetJson(setOf(*opened, isFolder ? absolutePath(source) : absolutePath(source).parent_path())));
+        const bool isFolder = source.empty() || std::filesystem::is_directory(source, code);
+        const std::filesystem::path folder = absolutePath(source.empty() ? "." : source);
+        return Json::parse(textureSetJson(setOf(*opened, isFolder ? folder : folder.parent_path())));
     }
     if (isMeshFile(source) || std::ranges::count(kShapes, source)) {
         auto mesh = openMesh(source, progress);
@@ -104,11 +103,14 @@ void addInfo(CLI::App& app, int& exitCode)
 {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = app.add_subcommand("info", "What is in a texture set, project or mesh");
-    command->add_option("SOURCE", options->state.source, "Texture set, image, project, or mesh");
+    const CLI::Option* source = command->add_option("SOURCE", options->state.source, "Texture set, image, project, or mesh");
     options->state.addMapsTo(*command);
     options->common.addTo(*command);
-    command->callback([options, &exitCode] {
-        const auto info = infoOf(*options);
+    command->callback([options, source, &exitCode] {
+        const bool given = source->count() > 0 || options->state.givesMaps();
+        const Result<Json> info = given
+            ? infoOf(*options)
+            : Result<Json>(problem({"there is nothing to tell of", "SOURCE", "Name a folder, an image, a project or a mesh"}, WrongUsage));
         if (!info)
             exitCode = tell(info.error());
         else if (options->common.json)

@@ -7,6 +7,8 @@ namespace relievo {
 
 inline constexpr const char* kReliefExtension = "RELIEVO_materials_relief"; // our own
 inline constexpr const char* kSpecularGlossinessExtension = "KHR_materials_pbrSpecularGlossiness"; // only read
+inline constexpr const char* kDracoExtension = "KHR_draco_mesh_compression"; // only read
+inline constexpr const char* kMeshoptExtension = "EXT_meshopt_compression"; // only read
 inline constexpr const char* kTransformExtension = "KHR_texture_transform";
 inline constexpr const char* kBrighterExtension = "KHR_materials_emissive_strength";
 

@@ -47,15 +47,22 @@ std::optional<std::string> fromCodePage(const char* page, std::string_view text)
     return done ? std::optional(out) : std::nullopt;
 }
 
+// Exporters write _ for spaces.
+std::string withoutSpaces(std::string text)
+{
+    std::ranges::replace(text, ' ', '_');
+    return text;
+}
+
 // How the bytes may be meant, folded.
 std::vector<std::string> readingsOf(std::string_view bytes)
 {
+    std::vector<std::string> readings = {withoutSpaces(folded(bytes))};
     if (isAscii(bytes) || mapped(bytes, 0))
-        return {folded(bytes)};
-    std::vector<std::string> readings = {folded(bytes)};
+        return readings;
     for (const char* page : kCodePages)
         if (const std::optional<std::string> text = fromCodePage(page, bytes))
-            readings.push_back(folded(*text));
+            readings.push_back(withoutSpaces(folded(*text)));
     return readings;
 }
 } // namespace
@@ -69,7 +76,7 @@ std::string folded(std::string_view text)
 {
     if (isAscii(text))
         return lowered(text);
-    return mapped(text, UTF8PROC_CASEFOLD | UTF8PROC_COMPAT).value_or(lowered(text));
+    return mapped(text, UTF8PROC_CASEFOLD | UTF8PROC_COMPAT | UTF8PROC_IGNORE | UTF8PROC_LUMP).value_or(lowered(text));
 }
 
 bool looksAlike(std::string_view a, std::string_view b)

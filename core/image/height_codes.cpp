@@ -130,7 +130,7 @@ std::string_view nameOf(HeightCode code)
 
 HeightCode heightCodeOf(const Image& image, Channel channel)
 {
-    if (image.type != PixelType::U8 || image.channels < 3 || channel != Channel::Rgb)
+    if (image.type != PixelType::U8 || image.channels < 3 || channel != Channel::Rgb || hasEqualRgb(image))
         return HeightCode::None;
     const Bytes ranges = rangesOf(image);
     const auto constant = [&](int c) { return ranges[std::size_t(c)].first == ranges[std::size_t(c)].second; };

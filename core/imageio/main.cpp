@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ground/text.h"
 #include "core/imageio/channel.h"
+#include "core/imageio/mesh_codecs.h"
 #include "core/imageio/read.h"
 #include "core/imageio/write.h"
 #include <OpenImageIO/imageio.h>
@@ -66,11 +67,30 @@ WriteRequest writeRequest(PacketReader& packet)
     return request;
 }
 
+DracoRequest dracoRequest(PacketReader& packet)
+{
+    DracoRequest request{packet.number(), {}};
+    while (packet.ok() && !packet.atEnd()) {
+        DracoAttribute& attribute = request.attributes.emplace_back();
+        for (std::uint64_t* number : {&attribute.id, &attribute.components, &attribute.componentType})
+            *number = packet.number();
+    }
+    return request;
+}
+
 void answer(Channel& channel, Message message, std::span<const std::byte> bytes)
 {
     PacketReader packet(bytes);
     if (message == Message::Write)
         return answerWrite(channel, writeRequest(packet));
+    if (message == Message::Meshopt) {
+        MeshoptRequest request;
+        for (std::uint64_t* number : {&request.size, &request.count, &request.stride, &request.mode, &request.filter})
+            *number = packet.number();
+        return answerMeshopt(channel, request);
+    }
+    if (message == Message::Draco)
+        return answerDraco(channel, dracoRequest(packet));
     const std::string file = packet.text();
     if (message == Message::ReadBytes || message == Message::InfoBytes)
         return answerReadBytes(channel, packet.number(), message == Message::InfoBytes);

@@ -7,7 +7,7 @@
 #include "core/ground/foreign_file.h"
 #include "core/ground/name_forms.h"
 #include "core/ground/text.h"
-#include "core/image/files/imageio_protocol.h"
+#include "core/image/files/helper_requests.h"
 #include "core/image/files/process_client.h"
 #include <algorithm>
 #include <array>
@@ -30,16 +30,6 @@ Helper& helper()
     static Helper one;
     return one;
 }
-
-// What is sent after the request's packet, without copying it.
-using Payload = std::span<const std::byte>;
-
-struct Reply {
-    HeaderReply header;
-    std::vector<std::string> layers;
-    std::vector<std::byte> data;
-    Warnings warnings;
-};
 
 // A conversation that broke: either an answer in words, or the helper is in trouble.
 struct Broken {
@@ -163,8 +153,11 @@ private:
     std::size_t m_expected = 0; // bytes of pixels; 0 while unknown
 };
 
+} // namespace
+
 // A helper that has worked before may have been hurt by an earlier file: only a fresh one's death is this file's fault.
-Expected<Reply> ask(Message message, const PacketWriter& packet, Payload payload, const std::string& where, const Progress& progress)
+Expected<Reply> imageio::ask(
+    Message message, const PacketWriter& packet, Payload payload, const std::string& where, const Progress& progress)
 {
     Helper& one = helper();
     const std::scoped_lock lock(one.mutex);
@@ -184,6 +177,7 @@ Expected<Reply> ask(Message message, const PacketWriter& packet, Payload payload
     }
 }
 
+namespace {
 // The usual mistakes, told without a helper.
 Expected<void> checkReadable(const fs::path& file)
 {

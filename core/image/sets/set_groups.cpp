@@ -92,7 +92,7 @@ std::vector<NamedFile> takeDoubtful(Groups& groups, const std::set<std::string>&
         const FileGroup before = group;
         takeOut(group, doubtful, [&](const NamedFile& file) { return file.guess.vague != '\0' && !vagueMayStay(before, file); });
         const bool weakOnly = std::ranges::all_of(group.files, [](const NamedFile& file) { return file.guess.weak; });
-        const bool besideColor = plain.contains(stem) && !group.holds(MapKind::Color);
+        const bool besideColor = !stem.empty() && plain.contains(stem) && !group.holds(MapKind::Color);
         if (weakOnly && group.kinds() < (besideColor ? 1 : 2))
             takeOut(group, doubtful, [](const NamedFile&) { return true; });
     }

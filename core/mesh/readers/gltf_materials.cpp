@@ -5,6 +5,7 @@
 #include "core/gltf/gltf_document.h"
 #include "core/gltf/gltf_extensions.h"
 #include "core/gltf/gltf_uri.h"
+#include "core/gltf/gltf_values.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
 #include "core/image/files/image_file.h"
@@ -26,23 +27,6 @@ struct Texture {
     int index = -1;
     TextureSpace space;
 };
-
-double numberOf(const tinygltf::Value& value, double otherwise)
-{
-    return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
-}
-
-int indexOf(const tinygltf::Value& value, int otherwise)
-{
-    const double number = numberOf(value, double(otherwise));
-    return number >= -1.0 && number < 1e9 ? int(number) : otherwise;
-}
-
-const tinygltf::Value& member(const tinygltf::Value& object, const char* key)
-{
-    static const tinygltf::Value none;
-    return object.IsObject() && object.Has(key) ? object.Get(key) : none;
-}
 
 double element(const tinygltf::Value& list, int i, double otherwise)
 {

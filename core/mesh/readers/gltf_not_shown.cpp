@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/readers/gltf_not_shown.h"
 #include "core/gltf/gltf_extensions.h"
+#include "core/gltf/gltf_values.h"
 #include "core/gltf/pictures.h"
 #include <algorithm>
 #include <array>
@@ -57,17 +58,12 @@ private:
     std::vector<std::string> m_words;
 };
 
-double numberIn(const tinygltf::Value& object, const char* key, double otherwise)
-{
-    return object.IsObject() && object.Has(key) && object.Get(key).IsNumber() ? object.Get(key).GetNumberAsDouble() : otherwise;
-}
-
 void addExtension(const std::string& name, const tinygltf::Value& value, Losses& losses)
 {
     const auto row = std::ranges::find(kExtensions, name, &ExtensionRow::name);
     if (row == kExtensions.end())
         return losses.add("the extension " + shownName(name));
-    const bool inEffect = !row->factor || numberIn(value, row->factor, row->none) != row->none;
+    const bool inEffect = !row->factor || numberOf(member(value, row->factor), row->none) != row->none;
     if (inEffect)
         losses.add(std::string(row->words));
 }

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gltf/gltf_document.h"
 #include "core/mesh/animation/gltf_deformation.h"
+#include "core/mesh/compression/gltf_compression.h"
 #include "core/mesh/readers/gltf_materials.h"
 #include "core/mesh/readers/gltf_not_shown.h"
 #include "core/mesh/readers/gltf_primitive.h"
@@ -259,6 +260,8 @@ Expected<RawMesh> readGltf(const std::filesystem::path& file, const Progress& pr
     Expected<GltfDocument> document = loadGltf(file);
     if (!document)
         return tl::unexpected(document.error());
+    if (const Expected<void> done = decompress(document->model, file.string(), progress); !done)
+        return tl::unexpected(done.error());
     progress.at(0.3f);
     Expected<RawMesh> raw = Gatherer(document->model, file.string(), progress).gather();
     if (raw)

@@ -1,6 +1,7 @@
 // Wavefront MTL: which pictures a material of an OBJ file names.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/gltf/gltf_uri.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
 #include "core/ground/text.h"
@@ -167,7 +168,9 @@ private:
     {
         if (line.file.empty())
             return;
-        const std::optional<fs::path> file = findPicture(m_folders, line.file);
+        std::optional<fs::path> file = findPicture(m_folders, line.file);
+        if (!file) // some exporters write names as in the web: my%20scan.png
+            file = findPicture(m_folders, percentDecoded(line.file));
         if (!file) {
             m_warnings.push_back({"map-missing",
                 "The material \"" + material.name + "\" names the picture " + shownName(line.file)

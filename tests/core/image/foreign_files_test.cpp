@@ -103,6 +103,10 @@ TEST(NameForms, NamesThatLookAlikeAreFound)
     EXPECT_TRUE(looksAlike(nfc, western));
     EXPECT_TRUE(looksAlike(western, nfd));
     EXPECT_TRUE(looksAlike(japanese, shiftJis));
+    EXPECT_TRUE(looksAlike("my scan.png", "my_scan.png"));
+    EXPECT_TRUE(looksAlike("my\xc2\xa0scan-2.png",
+        "my scan\xe2\x80\x93"
+        "2.png")); // a space that does not break, a longer dash
     EXPECT_FALSE(looksAlike(nfc, japanese));
     EXPECT_FALSE(looksAlike("a.png", "b.png"));
     for (const auto& [there, wanted] : {std::pair(nfc, nfd), std::pair(nfd, nfc), std::pair(nfc, western), std::pair(western, nfc),

@@ -350,6 +350,7 @@ TEST(TextureSetNames, AnImageWithoutKindIsTheColourBesideANormalMapOfItsName)
     EXPECT_TRUE(groups[0].contains("/x/wall.png"));
     EXPECT_FALSE(groups[0].contains("/x/other.png"));
     EXPECT_EQ(groupFiles(std::vector<std::filesystem::path>{"/x/wall_n.png", "/x/other.png"})[0].kinds(), 0); // a letter alone says nothing
+    EXPECT_EQ(groupFiles(std::vector<std::filesystem::path>{"/x/n.png", "/x/1x5.png"})[0].kinds(), 0); // these share no name
 }
 
 TEST(TextureSetNames, UdimTilesAreNumbersFrom1001)

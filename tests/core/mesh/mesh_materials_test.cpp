@@ -286,7 +286,7 @@ TEST(MeshMaterials, QuotedNamesHoldSpacesAndNamesOfCodePagesAreFound)
                   "e.png",
         "x");
     scratch.write("my scan.mtl",
-        "newmtl stone\nmap_Kd \"my scan.png\"\nmap_Bump Gr\xf6\xdf"
+        "newmtl stone\nmap_Pr my%20scan.png\nmap_Kd \"my scan.png\"\nmap_Bump Gr\xf6\xdf"
         "e.png\r\n");
     scratch.write("two.mtl", "newmtl other\n");
     for (const std::string line : {"\"my scan.mtl\"", "my scan.mtl", "\"my scan.mtl\" two.mtl", "two.mtl \"my scan.mtl\""}) {
@@ -297,6 +297,7 @@ TEST(MeshMaterials, QuotedNamesHoldSpacesAndNamesOfCodePagesAreFound)
         const auto stone = std::ranges::find(mesh->materials, "stone", &MeshMaterial::name);
         ASSERT_NE(stone, mesh->materials.end()) << line;
         EXPECT_EQ(slot(*stone, MapKind::Color).file, (scratch.path / "my scan.png").string());
+        EXPECT_EQ(slot(*stone, MapKind::Roughness).file, (scratch.path / "my scan.png").string());
         EXPECT_EQ(slot(*stone, MapKind::Height).file,
             (scratch.path
                 / "Gr\xc3\xb6\xc3\x9f"
