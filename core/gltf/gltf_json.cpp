@@ -6,6 +6,7 @@
 #include "core/gltf/gltf_uri.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/ground/foreign_file.h"
 #include "core/ground/text.h"
 #include <algorithm>
 #include <cstring>
@@ -227,9 +228,11 @@ Expected<void> mendBuffers(Json& document, const std::filesystem::path& file)
         std::string& uri = buffer["uri"].get_ref<std::string&>();
         if (const std::optional<std::string> octets = octetsOf(uri))
             uri = *octets;
-        else if (const auto found = findPicture({absolutePath(file).parent_path()}, percentDecoded(uri)))
+        else if (const auto found = findPicture({absolutePath(file).parent_path()}, percentDecoded(uri))) {
+            if (std::optional<Error> foreign = foreignFile(*found); foreign && foreign->code == ErrorCode::NotFound)
+                return tl::unexpected(std::move(*foreign)); // a pointer to a file that was not fetched
             uri = percentEncoded(found->string());
-        else if (uri.starts_with("data:"))
+        } else if (uri.starts_with("data:"))
             return failure(ErrorCode::Unreadable, file.string(), "the data of a buffer are not written in base64", "Export it again");
         else if (!uri.empty())
             return failure(

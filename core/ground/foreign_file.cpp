@@ -164,8 +164,9 @@ std::optional<Error> foreignFile(const std::filesystem::path& file)
     const std::string bytes = firstBytes(file), dotted = lowerSuffix(file), suffix = dotted.empty() ? dotted : dotted.substr(1);
     const auto error = [&](std::string_view label, Cure cure) {
         const std::string what(label);
-        return Error{cure == Cure::Lfs ? "this is " + what : what + " cannot be read", file.string(), std::string(textOf(cure)),
-            ErrorCode::Unreadable};
+        const bool pointer = cure == Cure::Lfs;
+        return Error{pointer ? "this is " + what : what + " cannot be read", file.string(), std::string(textOf(cure)),
+            pointer ? ErrorCode::NotFound : ErrorCode::Unreadable};
     };
     for (const ForeignRow& row : kForeign)
         if ((row.suffixes.empty() || (!suffix.empty() && hasWord(row.suffixes, suffix))) && bytes.starts_with(row.magic))

@@ -9,7 +9,7 @@
 namespace relievo {
 
 // By its first bytes and its suffix. Nothing for a file that may be read, that is not there, or whose kind is unknown. The error names the
-// kind and the cure, and never says that the file is damaged.
+// kind and the cure, and never says that the file is damaged; NotFound: it only points to a file that was not fetched.
 std::optional<Error> foreignFile(const std::filesystem::path& file);
 
 } // namespace relievo

@@ -1,4 +1,4 @@
-// Telling codes by how much smoother the bytes are together.
+// Telling codes by how one byte makes up for the rounding of the other.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/height_codes.h"
@@ -9,9 +9,10 @@
 
 namespace relievo {
 namespace {
-constexpr int kFewestSteps = 16; // texels where the high byte alone is not smooth
-constexpr double kSmoother = 0.5; // how rough both bytes together are at most, as a share of the high byte alone
+constexpr int kFewestSteps = 8; // of a high byte, from its lowest to its highest
+constexpr int kFullByte = 200; // what a low byte spans at least
 constexpr std::size_t kMostTexels = std::size_t(1) << 20; // that are looked at
+constexpr double kSurest = 0.08, kSlack = 0.1; // of the slope: its largest standard error, and what else it may be off by
 
 const std::uint8_t* texel(const Image& image, int x, int y)
 {
@@ -19,65 +20,35 @@ const std::uint8_t* texel(const Image& image, int x, int y)
     return reinterpret_cast<const std::uint8_t*>(image.data.data()) + at;
 }
 
-constexpr std::size_t kOrders = 5; // differences of differences: a curve's own become small, those of rounding grow
-
-// Differences along rows and columns, of the high byte alone and of both together.
-class Roughness {
-public:
-    // isHighest: else the high byte goes round, with another one over it.
-    Roughness(int high, int low, bool isHighest) : m_high(high), m_low(low), m_isHighest(isHighest) { }
-
-    // Texels at[0], at[stride] ...
-    void addLine(const std::uint8_t* at, std::ptrdiff_t stride, int count)
-    {
-        Differences alone, both;
-        for (int i = 0; i < count; ++i, at += stride) {
-            add(at[m_high] << 8, i, alone, m_alone);
-            add(at[m_high] << 8 | at[m_low], i, both, m_both);
-            m_steps += i > 1 && alone[2] != 0;
-        }
+// How much a byte differs from its four neighbours' mean, times four. roundTrip: it goes round, with another byte over it.
+int unevenness(const Image& image, int x, int y, int channel, bool roundTrip)
+{
+    const std::uint8_t* at = texel(image, x, y) + channel;
+    const std::ptrdiff_t right = image.channels, down = right * image.width;
+    int sum = 0;
+    for (const std::ptrdiff_t step : {-right, right, -down, down}) {
+        const int difference = int(at[0]) - int(at[step]);
+        sum += roundTrip ? int(std::int8_t(std::uint8_t(difference))) : difference;
     }
+    return sum;
+}
 
-    // Whether the low byte is the rest of the high one. Nothing: the high byte hardly changes.
-    std::optional<bool> isCode() const
-    {
-        if (m_steps < kFewestSteps)
-            return std::nullopt;
-        for (std::size_t order = 2; order <= kOrders; ++order)
-            if (m_both[order] < kSmoother * m_alone[order])
-                return true;
-        return false;
-    }
-
-private:
-    using Differences = std::array<int, kOrders + 1>; // of the last texel; the first one is its value
-    using Sums = std::array<double, kOrders + 1>;
-
-    void add(int value, int index, Differences& last, Sums& sums) const
-    {
-        for (std::size_t order = 0; order <= kOrders && index >= int(order); ++order) {
-            sums[order] += std::abs(value);
-            const int next = value - last[order];
-            last[order] = value;
-            value = order > 0 || m_isHighest ? next : int(std::int16_t(std::uint16_t(next)));
-        }
-    }
-
-    int m_high, m_low;
-    bool m_isHighest;
-    int m_steps = 0;
-    Sums m_alone = {}, m_both = {};
-};
-
+// Whether the low byte is the rest of the high one. Where the surface passes by, the high byte is uneven as it is rounded, and the rest
+// makes up for it: the unevenness of one falls with that of the other, by 1 for 256. Between colours there is no such slope. Nothing: the
+// bytes hardly vary.
 std::optional<bool> isCode(const Image& image, int high, int low, bool isHighest)
 {
-    Roughness roughness(high, low, isHighest);
-    const int apart = int(image.texelCount() / kMostTexels) + 1; // lines
-    for (int y = 0; y < image.height; y += apart)
-        roughness.addLine(texel(image, 0, y), image.channels, image.width);
-    for (int x = 0; x < image.width; x += apart)
-        roughness.addLine(texel(image, x, 0), std::ptrdiff_t(image.channels) * image.width, image.height);
-    return roughness.isCode();
+    double count = 0, xx = 0, xy = 0, yy = 0;
+    const int apart = int(image.texelCount() / kMostTexels) + 1; // rows
+    for (int y = 1; y + 1 < image.height; y += apart)
+        for (int x = 1; x + 1 < image.width; ++x) {
+            const double rest = unevenness(image, x, y, low, false) / 256., whole = unevenness(image, x, y, high, !isHighest);
+            ++count, xx += rest * rest, xy += rest * whole, yy += whole * whole;
+        }
+    if (count < 16 || xx == 0 || yy == 0)
+        return std::nullopt;
+    const double slope = xy / xx, error = std::sqrt(std::max(yy - slope * xy, 0.) / (xx * count));
+    return error < kSurest && std::abs(slope + 1) < kSlack + 2 * error;
 }
 
 using Bytes = std::array<std::pair<int, int>, 3>; // lowest and highest of each channel
@@ -133,16 +104,19 @@ HeightCode heightCodeOf(const Image& image, Channel channel)
     if (image.type != PixelType::U8 || image.channels < 3 || channel != Channel::Rgb || hasEqualRgb(image))
         return HeightCode::None;
     const Bytes ranges = rangesOf(image);
-    const auto constant = [&](int c) { return ranges[std::size_t(c)].first == ranges[std::size_t(c)].second; };
-    if (constant(1)) // the byte in the middle is part of every code
+    const auto span = [&](int c) { return ranges[std::size_t(c)].second - ranges[std::size_t(c)].first; };
+    const auto code = [&](int high, int low, bool isHighest) {
+        return span(low) >= kFullByte ? isCode(image, high, low, isHighest) : std::optional(false);
+    };
+    if (span(1) == 0) // the byte in the middle is part of every code
         return HeightCode::None;
-    const std::optional<bool> redGreen = isCode(image, 0, 1, true);
-    if (constant(2))
-        return redGreen.value_or(false)                 ? HeightCode::HighLow
-            : isCode(image, 1, 0, true).value_or(false) ? HeightCode::LowHigh
-                                                        : HeightCode::None;
-    const bool greenBlue = isCode(image, 1, 2, constant(0)).value_or(false);
-    if (!redGreen.value_or(greenBlue)) // where red stays, green and blue must say it
+    const std::optional<bool> redGreen = code(0, 1, true);
+    if (span(2) < kFullByte) // blue is no byte of the code
+        return span(0) >= kFewestSteps && redGreen.value_or(false)        ? HeightCode::HighLow
+            : span(1) >= kFewestSteps && code(1, 0, true).value_or(false) ? HeightCode::LowHigh
+                                                                          : HeightCode::None;
+    const bool greenBlue = code(1, 2, span(0) == 0).value_or(false);
+    if (!(span(0) == 0 ? greenBlue : redGreen.value_or(false))) // where red stays, green and blue say it
         return HeightCode::None;
     const auto within = [&](int low, int high) { return ranges[0].first >= low && ranges[0].second <= high; };
     constexpr int kDeepestSea = 0x80 - 43, kHighestTop = 0x80 + 35; // in steps of 256 m

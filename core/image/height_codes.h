@@ -20,8 +20,8 @@ enum class HeightCode {
 };
 std::string_view nameOf(HeightCode code); // for messages
 
-// Only codes that are certain: with the low byte as its rest the high byte becomes at least twice as smooth, which no colour does. Images
-// of 8 bits that are read as a whole (Channel::Rgb).
+// Only codes that are certain: the low byte makes up for the rounding of the high one, which no colour does. Images of 8 bits that are read
+// as a whole (Channel::Rgb).
 HeightCode heightCodeOf(const Image& image, Channel channel);
 
 // One channel: F32 in metres for the first two, U16 for two bytes, F32 in [0, 1] for three.

@@ -213,7 +213,8 @@ Expected<ImageRead> imageOf(Expected<Reply> reply, const std::string& where)
         header.storedFloat != 0, std::move(reply->data)};
     read.image.storedMaximum = double(header.storedMaximum);
     if (header.hasSurvey != 0)
-        read.image.survey = Survey{std::bit_cast<double>(header.texelWidth), std::bit_cast<double>(header.metres),
+        read.image.survey = Survey{std::bit_cast<double>(header.texelWidth) * double(header.fileWidth) / double(header.width),
+            std::bit_cast<double>(header.metres),
             header.hasNoData != 0 ? std::optional(std::bit_cast<double>(header.noData)) : std::nullopt};
     read.warnings = std::move(reply->warnings);
     if (read.image.data.empty()

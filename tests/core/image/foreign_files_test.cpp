@@ -65,6 +65,17 @@ TEST(ForeignFiles, AreNamedWithACureWhereverTheyAreGiven)
     }
 }
 
+TEST(ForeignFiles, ABufferThatWasNotFetchedIsTold)
+{
+    const TemporaryFolder folder;
+    writeAll(folder / "a.bin", "version https://git-lfs.github.com/spec/v1\n");
+    writeAll(folder / "a.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"a.bin"}],"meshes":[{"primitives":[{"attributes":{}}]}]})");
+    const auto mesh = openMesh((folder / "a.gltf").string());
+    ASSERT_FALSE(mesh);
+    EXPECT_NE(message(mesh.error()).find("git lfs pull"), std::string::npos) << message(mesh.error());
+}
+
 TEST(ForeignFiles, WhatIsReadIsNotForeign)
 {
     const TemporaryFolder folder;

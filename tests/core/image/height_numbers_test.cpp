@@ -8,7 +8,9 @@
 #include "core/scene/source.h"
 #include "tests/core/image/image_support.h"
 #include "tests/core/image/odd_files.h"
+#include <array>
 #include <gtest/gtest.h>
+#include <random>
 
 using namespace relievo;
 using namespace relievo::test;
@@ -96,6 +98,38 @@ TEST(PackedHeights, CodesAreRecognisedAndDecoded)
         EXPECT_TRUE(tells(bytes16.warnings, "packed-heights"));
         expectHills(bytes16.heights, false, 1e-4f);
     }
+}
+
+// Also where the surface is rough, or so flat that a byte hardly changes.
+TEST(PackedHeights, RoughAndFlatSurfacesAreRecognisedToo)
+{
+    std::mt19937 random(3);
+    std::vector<double> noise(256 * 256);
+    for (double& value : noise)
+        value = double(random() % 2001) / 1000. - 1.;
+    const auto terrarium = [](double metres) {
+        const int code = int((metres + 32768) * 256);
+        return std::array{code >> 16, code >> 8 & 255, code & 255};
+    };
+    const auto terrainRgb = [](double metres) {
+        const int code = int((metres + 10000) * 10);
+        return std::array{code >> 16, code >> 8 & 255, code & 255};
+    };
+    const auto words = [](double share) {
+        const int code = int(share * 65535);
+        return std::array{code >> 8, code & 255, 0};
+    };
+    const auto of = [&](const std::function<std::array<int, 3>(double)>& bytes, double size, double base, double rough) {
+        return heightCodeOf(
+            colored(
+                [&](int x, int y) { return bytes(base + size * double(hill(x, y, 256)) + rough * noise[std::size_t(y * 256 + x)]); }, 256),
+            Channel::Rgb);
+    };
+    EXPECT_EQ(of(terrarium, 2000, 500, 60), HeightCode::Terrarium);
+    EXPECT_EQ(of(terrarium, 20, 30, 0), HeightCode::Terrarium);
+    EXPECT_EQ(of(terrainRgb, 2000, 500, 5), HeightCode::TerrainRgb);
+    EXPECT_EQ(of(terrainRgb, 60, 30, 0), HeightCode::TerrainRgb);
+    EXPECT_EQ(of(words, 0.7, 0.1, 0.01), HeightCode::HighLow);
 }
 
 // A code is only what no colour can be.
