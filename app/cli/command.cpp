@@ -8,6 +8,7 @@
 #include "core/image/files/image_file.h"
 #include "core/mesh/animation/pose.h"
 #include "core/scene/inputs.h"
+#include "core/scene/relief_numbers.h"
 #include "core/state/presets.h"
 #include "core/state/shapes.h"
 #include "core/state/state_json.h"
@@ -55,6 +56,11 @@ void StateOptions::addTo(CLI::App& command)
     command.add_option("--environment", environment, "Equirectangular picture (hdr, exr) that lights the scene, or studio")
         ->type_name("FILE");
     command.add_option("--camera", camera, "yaw=DEG,pitch=DEG,distance=M,target=X:Y:Z (M),fov=DEG, any of them")->type_name("SETTINGS");
+    addMapsTo(command);
+}
+
+void StateOptions::addMapsTo(CLI::App& command)
+{
     CLI::Option* deep = command.add_option("--depth-map", depthMap, "Height map where white is deep")->type_name("FILE");
     for (const MapKindRow& row : kMapKinds) {
         CLI::Option* map = command.add_option("--" + std::string(row.key), maps[std::string(row.key)], std::string(row.label) + " map");
@@ -84,10 +90,14 @@ std::vector<fs::path> StateOptions::filesRead() const
     return files;
 }
 
+bool StateOptions::givesMaps() const
+{
+    return !depthMap.empty() || std::ranges::any_of(maps, [](const auto& map) { return !map.second.empty(); });
+}
+
 bool StateOptions::changesState() const
 {
-    const bool mapGiven = std::ranges::any_of(maps, [](const auto& map) { return !map.second.empty(); });
-    return mapGiven || !set.empty() || !(preset + technique + mesh + environment + camera + depthMap).empty();
+    return givesMaps() || !set.empty() || !(preset + technique + mesh + environment + camera).empty();
 }
 
 namespace {
@@ -97,19 +107,20 @@ Expected<void> setMaps(const StateOptions& options, Opened& opened)
 {
     MapSlots& slots = opened.state.slots;
     const auto assign = [&](MapKind kind, const std::string& file, bool depth) -> Expected<void> {
-        std::error_code code;
-        if (!fs::exists(file, code))
+        if (!pictureMayExist(fileAndChannel(file).first))
             return failure(ErrorCode::NotFound, file, "there is no such file", "Check the path of --" + std::string(row(kind).key));
-        auto& image = opened.images[absolutePath(file)];
+        MapSlot& slot = slots[std::size_t(kind)] = slotByHand(kind, file, opened.images, opened.warnings);
+        auto& image = opened.images[slot.file];
         if (!image) {
-            auto read = readImage(absolutePath(file));
+            auto read = readImage(slot.file);
             if (!read)
                 return tl::unexpected(read.error());
             image = std::make_shared<const ImageRead>(std::move(*read));
         }
-        MapSlot& slot = slots[std::size_t(kind)] = slotByHand(kind, file, opened.images, opened.warnings);
-        if (kind == MapKind::Height) // the option says which it is, not the name
+        if (kind == MapKind::Height) { // the option says which it is, not the name
             slot.invert = depth;
+            takeHeightNumbers(opened.state, image->image, opened.warnings);
+        }
         return {};
     };
     for (const auto& [key, file] : options.maps)
@@ -208,14 +219,18 @@ std::vector<fs::path> picturesOf(const Mesh& mesh)
 Result<Opened> openState(const StateOptions& options, const Progress& progress)
 {
     Opened opened;
-    const bool mapGiven
-        = !options.depthMap.empty() || std::ranges::any_of(options.maps, [](const auto& map) { return !map.second.empty(); });
+    std::error_code code;
     if (!options.source.empty()) {
         auto fromSource = openSource(options.source, State(), progress);
-        if (!fromSource)
+        // A folder whose names tell nothing is no trouble where the maps are named.
+        const bool named = options.givesMaps() && fs::is_directory(options.source, code);
+        if (!fromSource && !(named && fromSource.error().code == ErrorCode::Refused))
             return problem(fromSource.error());
-        opened = std::move(*fromSource);
-    } else if (!mapGiven) {
+        if (fromSource)
+            opened = std::move(*fromSource);
+        else
+            opened.state.name = absolutePath(options.source).filename().string();
+    } else if (!options.givesMaps()) {
         return problem({"there is nothing to open", "SOURCE", "Name a folder, an image, a project or sample:bricks"}, WrongUsage);
     }
     if (const auto done = setMaps(options, opened); !done)

@@ -33,11 +33,13 @@ struct StateOptions {
     std::vector<std::string> set;
     std::map<std::string, std::string> maps; // by map kind's key
     void addTo(CLI::App& command);
+    void addMapsTo(CLI::App& command); // only --height, --depth-map, --color ...
     // The option of a file to write, and of one to read beside what the State names. openState refuses to open what an output would
     // replace. `file` must outlive the options and their copies.
     CLI::Option* addOutput(CLI::App& command, const std::string& name, std::string& file, const std::string& help);
     CLI::Option* addInput(CLI::App& command, const std::string& name, std::string& file, const std::string& help);
     std::vector<std::filesystem::path> filesRead() const; // but those that the State names
+    bool givesMaps() const;
     bool changesState() const; // anything but SOURCE was given
     std::vector<const std::string*> outputs, inputs;
 };

@@ -18,34 +18,53 @@ namespace {
 
 struct InfoOptions {
     Common common;
-    std::string source;
+    StateOptions state; // SOURCE and the maps given by hand
 };
+
+TextureSet setOf(const Opened& opened, const std::filesystem::path& folder)
+{
+    TextureSet set = textureSetOf(opened.state.name, opened.state.slots, folder);
+    set.warnings.insert(set.warnings.begin(), opened.warnings.begin(), opened.warnings.end());
+    return set;
+}
 
 // One JSON object for all kinds of source; the text for people is made from it.
 Result<Json> infoOf(const InfoOptions& options)
 {
     const Progress progress = shownProgress(options.common);
-    if (isMeshFile(options.source) || std::ranges::count(kShapes, options.source)) {
-        auto mesh = openMesh(options.source, progress);
+    const std::string& source = options.state.source;
+    if (options.state.givesMaps()) {
+        const auto opened = openState(options.state, progress);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        std::error_code code;
+        const bool isFolder = source.empty() || std::filesystem::is_directory(source, code);
+        const std::filesystem::path folder = absolutePath(source.empty() ? "." : source);
+        return Json::parse(textureSetJson(setOf(*opened, isFolder ? folder : folder.parent_path())));
+    }
+    if (isMeshFile(source) || std::ranges::count(kShapes, source)) {
+        auto mesh = openMesh(source, progress);
         if (!mesh)
             return problem(mesh.error());
         const Warnings faults = inspectMesh(*mesh);
         mesh->warnings.insert(mesh->warnings.end(), faults.begin(), faults.end());
         return Json::parse(meshJson(*mesh));
     }
-    if (isProjectFile(options.source) || isBuiltInSource(options.source)) {
-        const auto opened = openSource(options.source, State(), progress);
+    if (isProjectFile(source) || isBuiltInSource(source)) {
+        const auto opened = openSource(source, State(), progress);
         if (!opened)
             return problem(opened.error());
-        auto set = textureSetOf(opened->state.name, opened->state.slots, absolutePath(options.source).parent_path());
-        set.warnings.insert(set.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
-        return Json::parse(textureSetJson(set));
+        return Json::parse(textureSetJson(setOf(*opened, absolutePath(source).parent_path())));
     }
-    auto set = openTextureSet(options.source, progress);
+    auto set = openTextureSet(source, progress);
     if (!set)
         return problem(set.error());
-    if (std::optional<Warning> unfinished = unfinishedExport(options.source))
+    if (std::optional<Warning> unfinished = unfinishedExport(source))
         set->warnings.push_back(std::move(*unfinished));
+    State state; // would be given these numbers
+    state.slots = set->slots();
+    if (const auto heights = set->images.find(state.slots[std::size_t(MapKind::Height)].file); heights != set->images.end())
+        takeHeightNumbers(state, heights->second->image, set->warnings);
     return Json::parse(textureSetJson(*set));
 }
 
@@ -92,10 +111,14 @@ void addInfo(CLI::App& app, int& exitCode)
 {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = app.add_subcommand("info", "What is in a texture set, project or mesh");
-    command->add_option("SOURCE", options->source, "Texture set, image, project, or mesh")->required();
+    const CLI::Option* source = command->add_option("SOURCE", options->state.source, "Texture set, image, project, or mesh");
+    options->state.addMapsTo(*command);
     options->common.addTo(*command);
-    command->callback([options, &exitCode] {
-        const auto info = infoOf(*options);
+    command->callback([options, source, &exitCode] {
+        const bool given = source->count() > 0 || options->state.givesMaps();
+        const Result<Json> info = given
+            ? infoOf(*options)
+            : Result<Json>(problem({"there is nothing to tell of", "SOURCE", "Name a folder, an image, a project or a mesh"}, WrongUsage));
         if (!info)
             exitCode = tell(info.error());
         else if (options->common.json)

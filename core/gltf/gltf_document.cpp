@@ -88,13 +88,8 @@ Expected<GltfDocument> loadGltf(const std::filesystem::path& file)
     if (!prepared)
         return tl::unexpected(prepared.error());
     Expected<tinygltf::Model> model = loadModel(prepared->bytes, file);
-    if (!model) {
-        for (const char* compression : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
-            if (prepared->bytes.find(compression) != std::string::npos)
-                return failure(ErrorCode::Unreadable, file.string(),
-                    std::string("its triangles are compressed by ") + compression + ", which is not read", "Export it without compression");
+    if (!model)
         return tl::unexpected(model.error());
-    }
     model->images = std::move(prepared->images);
     return GltfDocument{std::move(*model), std::move(prepared->warnings)};
 }

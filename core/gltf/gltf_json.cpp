@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gltf/gltf_json.h"
+#include "core/gltf/gltf_extensions.h"
 #include "core/gltf/gltf_uri.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/ground/foreign_file.h"
 #include "core/ground/json_depth.h"
 #include "core/ground/shown_text.h"
 #include "core/ground/text.h"
@@ -18,11 +20,12 @@ namespace {
 using Json = nlohmann::json;
 const char* const kDamaged = "Check the file with a glTF validator and export it again";
 
-// Extensions that a file may require although they say nothing about its triangles.
+// Extensions that a file may require: they are read, or say nothing about its triangles.
 bool canIgnore(std::string_view name)
 {
-    constexpr std::string_view kHarmless[] = {"KHR_texture_transform", "KHR_mesh_quantization", "KHR_lights_punctual", "KHR_texture_basisu",
-        "EXT_texture_webp", "EXT_texture_avif", "MSFT_texture_dds", "KHR_animation_pointer", "KHR_xmp_json_ld"};
+    constexpr std::string_view kHarmless[]
+        = {"KHR_texture_transform", "KHR_mesh_quantization", "KHR_lights_punctual", "KHR_texture_basisu", "EXT_texture_webp",
+            "EXT_texture_avif", kDracoExtension, kMeshoptExtension, "MSFT_texture_dds", "KHR_animation_pointer", "KHR_xmp_json_ld"};
     return name.starts_with("KHR_materials_") || std::ranges::find(kHarmless, name) != std::end(kHarmless);
 }
 
@@ -158,20 +161,57 @@ std::vector<tinygltf::Image> takeImages(Json& document)
     return images;
 }
 
+// The items of a list in a document; none where it is missing or something else.
+std::vector<Json*> itemsOf(Json& object, const char* key)
+{
+    std::vector<Json*> items;
+    if (object.is_object() && object.contains(key) && object[key].is_array())
+        for (Json& item : object[key])
+            items.push_back(&item);
+    return items;
+}
+
+bool hasExtension(const Json& object, const char* name)
+{
+    const auto extensions = object.is_object() ? object.find("extensions") : object.end();
+    return object.is_object() && extensions != object.end() && extensions->is_object() && extensions->contains(name);
+}
+
+// Triangles that Draco holds need no indices, and tinygltf refuses accessors of indices without bytes.
+void dropDracoIndices(Json& document)
+{
+    for (Json* mesh : itemsOf(document, "meshes"))
+        for (Json* primitive : itemsOf(*mesh, "primitives"))
+            if (hasExtension(*primitive, kDracoExtension))
+                primitive->erase("indices");
+}
+
+// What is compressed by meshoptimizer names a buffer that is not there, for programs that do not read it.
+bool isFallback(const Json& buffer)
+{
+    return hasExtension(buffer, kMeshoptExtension) && !buffer.contains("uri");
+}
+
 // Gives the buffers URIs that tinygltf reads: files by the rules of pictures, data whatever their media type.
 Expected<void> mendBuffers(Json& document, const std::filesystem::path& file)
 {
     const auto buffers = document.find("buffers");
     for (std::size_t i = 0; buffers != document.end() && buffers->is_array() && i < buffers->size(); ++i) {
         Json& buffer = (*buffers)[i];
+        if (isFallback(buffer)) {
+            buffer["uri"] = "data:application/octet-stream;base64,AAAA";
+            buffer["byteLength"] = 3;
+        }
         if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string())
             continue;
         std::string& uri = buffer["uri"].get_ref<std::string&>();
         if (const std::optional<std::string> octets = octetsOf(uri))
             uri = *octets;
-        else if (const auto found = findPicture({absolutePath(file).parent_path()}, percentDecoded(uri)))
+        else if (const auto found = findPicture({absolutePath(file).parent_path()}, percentDecoded(uri))) {
+            if (std::optional<Error> foreign = foreignFile(*found); foreign && foreign->code == ErrorCode::NotFound)
+                return tl::unexpected(std::move(*foreign)); // a pointer to a file that was not fetched
             uri = percentEncoded(found->string());
-        else if (uri.starts_with("data:"))
+        } else if (uri.starts_with("data:"))
             return failure(ErrorCode::Unreadable, file.string(), "the data of a buffer are not written in base64", "Export it again");
         else if (!uri.empty())
             return failure(
@@ -210,6 +250,7 @@ Expected<PreparedGltf> preparedGltf(const std::filesystem::path& file)
         return tl::unexpected(document.error());
     Warnings warnings = warningsOf(*document);
     std::vector<tinygltf::Image> images = takeImages(*document);
+    dropDracoIndices(*document);
     if (Expected<void> mended = mendBuffers(*document, file); !mended)
         return tl::unexpected(mended.error());
     replaceJson(*bytes, text->size(), document->dump(-1, ' ', false, Json::error_handler_t::replace));

@@ -4,6 +4,7 @@
 #include "core/gltf/pictures.h"
 #include "core/gltf/gltf_document.h"
 #include "core/ground/file.h"
+#include "core/ground/name_forms.h"
 #include "core/ground/text.h"
 #include "core/ground/text_cursor.h"
 #include <algorithm>
@@ -22,7 +23,7 @@ std::optional<fs::path> inAnyCase(const fs::path& folder, const std::string& nam
 {
     std::error_code code;
     for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
-        if (lowered(entry->path().filename().string()) == lowered(name) && isFile(entry->path()))
+        if (looksAlike(entry->path().filename().string(), name) && isFile(entry->path()))
             return entry->path();
     return std::nullopt;
 }
@@ -78,12 +79,28 @@ bool namesEmbeddedPicture(const fs::path& name)
 fs::path fileOfPicture(const fs::path& name)
 {
     const std::optional<Embedded> embedded = embeddedOf(name);
-    return embedded ? embedded->file : name;
+    const std::optional<NamedLayer> layer = layerOf(name);
+    return embedded ? embedded->file : layer ? layer->file : name;
 }
 
 bool pictureMayExist(const fs::path& name)
 {
-    return isFile(fileOfPicture(name));
+    const std::optional<fs::path> file = thatLooksLike(fileOfPicture(name));
+    return file && isFile(*file);
+}
+
+std::optional<NamedLayer> layerOf(const fs::path& name)
+{
+    const std::string text = name.string();
+    const std::size_t mark = lowered(text).rfind(".exr#");
+    if (mark == text.npos || mark + 5 == text.size() || isFile(name))
+        return std::nullopt;
+    return NamedLayer{text.substr(0, mark + 4), text.substr(mark + 5)};
+}
+
+std::string layerName(const fs::path& exr, const std::string& layer)
+{
+    return exr.string() + '#' + layer;
 }
 
 Expected<std::vector<std::byte>> readEmbeddedPicture(const fs::path& name)

@@ -13,17 +13,26 @@
 namespace relievo {
 
 // The existing file that `name` means in a file of `folders`' first: as written (backslashes, drive letters and absolute paths of other
-// machines allowed), else by its last part alone, in any case of letters. Absolute. Nothing when there is none.
+// machines allowed), else by its last part alone; each in any case of letters, Unicode form and code page.
+// Absolute. Nothing when there is none.
 std::optional<std::filesystem::path> findPicture(const std::vector<std::filesystem::path>& folders, std::string name);
 
 // "FILE#N": picture N inside a glTF file. namesEmbeddedPicture is false for a file that exists under that very name.
 std::string embeddedPictureName(const std::filesystem::path& gltf, int picture);
 bool namesEmbeddedPicture(const std::filesystem::path& name);
 
-// The file in which a picture lies: `name` itself, or the glTF file that holds it.
+// "FILE.exr#NAME": a layer of an EXR file. Nothing for a file that exists under that very name.
+struct NamedLayer {
+    std::filesystem::path file;
+    std::string layer;
+};
+std::optional<NamedLayer> layerOf(const std::filesystem::path& name);
+std::string layerName(const std::filesystem::path& exr, const std::string& layer);
+
+// The file in which a picture lies: `name` itself, or the glTF or EXR file that holds it.
 std::filesystem::path fileOfPicture(const std::filesystem::path& name);
 
-// Whether there is a file of that name, or the glTF file that should hold the picture.
+// Whether there is a file of that name, or the glTF or EXR file that should hold the picture.
 bool pictureMayExist(const std::filesystem::path& name);
 
 // The undecoded bytes (PNG, JPEG ...). Errors name the file.

@@ -65,6 +65,13 @@ std::string number(double value)
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
 }
+
+std::string rounded(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", value);
+    return text;
+}
 } // namespace
 
 std::size_t repairNonFinite(std::vector<float>& values, int width, int height, int channels)
@@ -131,9 +138,10 @@ std::size_t countUpTo(const std::vector<float>& values, double floor)
 // Elevation files mark gaps by a number far below all heights. Returns the largest value that stands for one; -infinity: there is none.
 double noDataFloor(const std::vector<float>& values, const Image& image)
 {
-    const double unit = image.storedFloat ? 1 : image.storedBits <= 16 ? 32767 : 2147483647; // signed integers arrive divided by it
+    const bool whole = !image.storedFloat && !image.survey; // signed integers arrive divided by their largest
+    const double unit = !whole ? 1 : image.storedMaximum > 0 ? image.storedMaximum : image.storedBits <= 16 ? 32767 : 2147483647;
     const double lowest = rangeAbove(values, -HUGE_VAL).first;
-    const auto is = [&](double mark) { return std::abs(lowest * unit - mark) <= 1e-6 * std::abs(mark) + (image.storedFloat ? 0 : 0.5); };
+    const auto is = [&](double mark) { return std::abs(lowest * unit - mark) <= 1e-6 * std::abs(mark) + (whole ? 0.5 : 0); };
     const bool huge = lowest <= -1e30;
     if (!huge && !is(-9999) && !is(-32768) && !is(-32767))
         return -HUGE_VAL;
@@ -142,20 +150,53 @@ double noDataFloor(const std::vector<float>& values, const Image& image)
     return low - floor > high - low && countUpTo(values, floor) < values.size() ? floor : -HUGE_VAL;
 }
 
+// Those that the file's own tag names. A mark of 1e38 may have lost digits.
+std::size_t clearNoData(std::vector<float>& values, const Image& image)
+{
+    if (!image.survey || !image.survey->noData)
+        return 0;
+    const double mark = *image.survey->noData / (image.storedMaximum > 0 ? image.storedMaximum : 1);
+    std::size_t count = 0;
+    for (float& value : values)
+        if (std::abs(double(value) - mark) <= 1e-6 * std::abs(mark) || (std::isnan(mark) && std::isnan(value))) {
+            value = NAN;
+            ++count;
+        }
+    return count;
+}
+
 // The channel of a float image with its gaps as NaN.
 std::vector<float> gappedScalars(const Image& image, Channel channel, ScalarTrouble& trouble)
 {
     std::vector<float> values = scalarValues(image, channel);
-    trouble.nonFinite = std::size_t(std::ranges::count_if(values, [](float v) { return !std::isfinite(v); }));
+    trouble.noData = clearNoData(values, image);
+    trouble.nonFinite = std::size_t(std::ranges::count_if(values, [](float v) { return !std::isfinite(v); })) - trouble.noData;
     if (const double floor = noDataFloor(values, image); std::isfinite(floor)) {
-        trouble.noData = countUpTo(values, floor);
+        trouble.noData += countUpTo(values, floor);
         for (float& value : values)
             if (double(value) <= floor)
                 value = NAN;
     }
     std::tie(trouble.low, trouble.high) = rangeAbove(values, -HUGE_VAL);
-    trouble.wholeNumbers = !image.storedFloat && (image.storedBits == 32 || trouble.noData > 0);
+    trouble.wholeNumbers = !image.storedFloat && (image.storedBits == 32 || trouble.noData > 0 || image.survey);
     return values;
+}
+
+// In the file's own numbers, so that its marks and messages are in them too.
+Image ownNumbers(const Image& image)
+{
+    Image own{image.width, image.height, image.channels, PixelType::F32, image.storedBits, false, {}};
+    own.survey = image.survey;
+    own.data.resize(image.data.size() / bytesOf(image.type) * sizeof(float));
+    float* out = reinterpret_cast<float*>(own.data.data());
+    withTexels(image, [&](const auto* texels, float) {
+        const std::size_t count = image.data.size() / bytesOf(image.type);
+        const double unit = image.type == PixelType::F32 ? image.storedMaximum : 1;
+        for (std::size_t i = 0; i < count; ++i)
+            out[i] = std::is_integral_v<std::remove_cvref_t<decltype(*texels)>> ? float(texels[i])
+                                                                                : std::round(float(double(texels[i]) * unit));
+    });
+    return own;
 }
 
 std::string texels(std::size_t count)
@@ -163,6 +204,15 @@ std::string texels(std::size_t count)
     return std::to_string(count) + (count == 1 ? " texel" : " texels");
 }
 } // namespace
+
+HeightPixels::HeightPixels(const Image& image, Channel wanted) : m_given(&image), m_channel(wanted), m_code(heightCodeOf(image, wanted))
+{
+    if (m_code != HeightCode::None)
+        m_made = decodedHeights(image, m_code);
+    else if (image.survey && !image.storedFloat)
+        m_made = ownNumbers(image);
+    m_channel = m_code != HeightCode::None ? Channel::R : scalarChannel(image, wanted);
+}
 
 bool ScalarTrouble::rescales() const
 {
@@ -172,31 +222,68 @@ bool ScalarTrouble::rescales() const
     return wholeNumbers || std::max(-low, high - 1) > kSlight * (high - low);
 }
 
+bool ScalarTrouble::narrow() const
+{
+    constexpr double kNarrow = 0.05;
+    return beyond == Beyond::Rescaled && largest > 0 && !rescales() && high > low && high - low < kNarrow;
+}
+
+std::optional<double> ScalarTrouble::zero() const
+{
+    return rescales() && low < 0 && high > 0 ? std::optional(-low / (high - low)) : std::nullopt;
+}
+
 ScalarTrouble scalarTrouble(const Image& image, Channel channel, Beyond beyond)
 {
     ScalarTrouble trouble;
     trouble.beyond = beyond;
-    if (image.type == PixelType::F32)
+    trouble.differ = channel == Channel::Rgb && !looksGrey(image);
+    if (image.type == PixelType::F32) {
         gappedScalars(image, channel, trouble);
+        trouble.largest = image.storedMaximum;
+    } else if (beyond == Beyond::Rescaled) {
+        std::tie(trouble.low, trouble.high) = rangeOf(image, channel);
+        trouble.largest = image.type == PixelType::U8 ? 255 : 65535;
+    }
+    trouble.maximum = trouble.largest > 0 ? trouble.largest : 1;
     return trouble;
 }
 
 Warnings warningsOf(const ScalarTrouble& trouble, const std::string& file)
 {
     Warnings warnings;
-    const std::string range = number(trouble.low) + " .. " + number(trouble.high);
+    const std::string range = number(trouble.low * trouble.maximum) + " .. " + number(trouble.high * trouble.maximum);
+    if (trouble.differ)
+        warnings.push_back({"channels-differ",
+            file + ": its red, green and blue differ, and their mean is used: choose one channel, as in " + file
+                + "#r, or take it as the color map"});
     if (trouble.nonFinite > 0)
         warnings.push_back({"nan-repaired",
             file + ": " + texels(trouble.nonFinite) + (trouble.nonFinite == 1 ? " is" : " are")
                 + " not a number or infinite: replaced by the neighbours' mean"});
     if (trouble.noData > 0)
-        warnings.push_back(
-            {"no-data", file + ": " + texels(trouble.noData) + " without data (far below all others): replaced by the neighbours' mean"});
-    if (trouble.rescales())
+        warnings.push_back({"no-data", file + ": " + texels(trouble.noData) + " without data: replaced by the neighbours' mean"});
+    if (trouble.rescales()) {
+        const std::optional<double> zero = trouble.zero();
         warnings.push_back({"height-range",
-            file + (trouble.leavesRange() ? ": its values leave 0..1" : ": its values are whole numbers") + ": mapped from " + range});
-    else if (trouble.leavesRange())
+            file + (trouble.leavesRange() && !trouble.wholeNumbers ? ": its values leave 0..1" : ": its values are whole numbers")
+                + ": mapped from " + range + (zero ? ", its zero is at midlevel " + rounded(*zero) : "")});
+    } else if (trouble.leavesRange())
         warnings.push_back({"value-range", file + ": its values leave 0..1 (" + range + "): clamped"});
+    if (trouble.narrow())
+        warnings.push_back({"narrow-range",
+            file + ": it uses only " + range + " of 0 .. " + number(trouble.largest)
+                + ", so the relief is that much flatter: save it as 32-bit float TIFF or EXR, which is stretched, or stretch it before"});
+    return warnings;
+}
+
+Warnings warningsOf(const HeightPixels& pixels, const std::string& file)
+{
+    Warnings warnings;
+    if (pixels.code() != HeightCode::None)
+        warnings.push_back({"packed-heights", file + ": its heights are packed " + std::string(nameOf(pixels.code())) + ": decoded"});
+    for (Warning& warning : warningsOf(scalarTrouble(pixels.image(), pixels.channel()), file))
+        warnings.push_back(std::move(warning));
     return warnings;
 }
 

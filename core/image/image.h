@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 namespace relievo {
@@ -16,6 +17,14 @@ constexpr std::size_t bytesOf(PixelType type)
     return type == PixelType::U8 ? 1 : type == PixelType::U16 ? 2 : 4;
 }
 
+// What the tags of an elevation model (GeoTIFF) say.
+struct Survey {
+    double texelWidth = 0; // m on the ground, at the middle of the image; 0: not told
+    double metres = 1; // of one unit of the heights
+    std::optional<double> noData = {}; // the number that marks gaps; may be NaN
+    bool operator==(const Survey&) const = default;
+};
+
 // Row-major, row 0 at the top, channels interleaved in the order r g b a (or the single channel).
 // Integer types stand for value / max in [0, 1]; F32 is as stored (half floats are widened).
 struct Image {
@@ -24,6 +33,8 @@ struct Image {
     int storedBits = 8; // bits a channel in the file: 8, 16 (also half float), 32, or odd ones such as 10 and 12
     bool storedFloat = false;
     std::vector<std::byte> data; // width * height * channels * bytesOf(type)
+    double storedMaximum = 0; // F32 made of whole numbers: the number that has become 1; else 0
+    std::optional<Survey> survey = {}; // nothing for all but elevation models
 
     std::size_t texelCount() const { return std::size_t(width) * std::size_t(height); }
 

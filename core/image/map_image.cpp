@@ -82,9 +82,9 @@ void repairFloats(Image& image, const std::string& file, Warnings& warnings)
 Image scalarOf(const Image& image, const MapSlot& slot, const std::string& file, Warnings& warnings)
 {
     const Channel channel = scalarChannel(image, slot.channel);
+    for (Warning& warning : warningsOf(scalarTrouble(image, channel, Beyond::Clamped), file))
+        warnings.push_back(std::move(warning));
     if (image.type == PixelType::F32) {
-        for (Warning& warning : warningsOf(scalarTrouble(image, channel, Beyond::Clamped), file))
-            warnings.push_back(std::move(warning));
         const std::vector<float> values = soundScalars(image, channel, slot.invert, Beyond::Clamped);
         Image result = emptyLike(image, 1);
         std::memcpy(result.data.data(), values.data(), result.data.size());
@@ -153,11 +153,12 @@ Image normalOf(const Image& image, const MapSlot& slot, bool namedRelief)
 
 HeightField heightOf(const Image& image, const MapSlot& slot, const std::string& file, Warnings& warnings)
 {
-    const Channel channel = scalarChannel(image, slot.channel);
-    for (Warning& warning : warningsOf(scalarTrouble(image, channel), file))
+    const HeightPixels pixels(image, slot.channel);
+    const Channel channel = pixels.channel();
+    for (Warning& warning : warningsOf(pixels, file))
         warnings.push_back(std::move(warning));
-    const int bits = precisionOf(image);
-    std::vector<float> heights = soundScalars(image, channel, slot.invert);
+    const int bits = precisionOf(pixels.image());
+    std::vector<float> heights = soundScalars(pixels.image(), channel, slot.invert);
     if (slot.invert || channel == Channel::Rgb) // 1 - v and a mean are no stored values to the last bit, and the GPU has only those
         for (float& height : heights)
             height = asStored(height, bits);

@@ -4,6 +4,7 @@
 #include "core/image/material.h"
 #include "core/gltf/pictures.h"
 #include "core/image/map_image.h"
+#include "core/image/pixels.h"
 #include "core/image/samples/hard_cases.h"
 #include "core/image/samples/samples.h"
 #include "core/image/sets/file_names.h"
@@ -135,6 +136,13 @@ std::string prefixOf(const MapSlot& slot)
     return fileName(slot) + ": ";
 }
 
+std::string leftOut(MapKind kind)
+{
+    std::string label(row(kind).label);
+    label[0] = char(label[0] - 'A' + 'a');
+    return ": the " + label + " map is left out";
+}
+
 void addOnce(Warnings& warnings, const Warning& warning)
 {
     if (std::ranges::find(warnings, warning) == warnings.end())
@@ -205,6 +213,8 @@ private:
             return drop(kind, decoded.error(), warnings);
         warnings = (*decoded)->warnings;
         const std::string file = fileName(slot(kind));
+        if (!hasChannel((*decoded)->image, slot(kind).channel))
+            return leaveOut(kind, warnings);
         if (kind == MapKind::Height) {
             m_material.height = heightOf((*decoded)->image, slot(kind), file, warnings);
             return;
@@ -216,13 +226,20 @@ private:
         m_material.maps[std::size_t(kind)] = std::move(*map);
     }
 
+    // Another channel in its place would be another map.
+    void leaveOut(MapKind kind, Warnings& warnings)
+    {
+        warnings.push_back(channelMissing(kind, slot(kind)));
+        const std::scoped_lock lock(m_mutex);
+        if (!m_firstError)
+            m_firstError = Error{"it has no alpha channel", slot(kind).file, "Choose a channel that it has"};
+    }
+
     void drop(MapKind kind, const Error& error, Warnings& warnings)
     {
         const bool missing = slot(kind).file.starts_with(kSamplePrefix) || !pictureMayExist(slot(kind).file);
-        std::string label(row(kind).label);
-        label[0] = char(label[0] - 'A' + 'a');
-        warnings.push_back({missing ? "map-missing" : "map-broken",
-            prefixOf(slot(kind)) + error.what + " (" + slot(kind).file + "): the " + label + " map is left out"});
+        warnings.push_back(
+            {missing ? "map-missing" : "map-broken", prefixOf(slot(kind)) + error.what + " (" + slot(kind).file + ")" + leftOut(kind)});
         const std::scoped_lock lock(m_mutex);
         if (!m_firstError)
             m_firstError = error;
@@ -235,6 +252,11 @@ private:
     std::optional<Error> m_firstError;
 };
 } // namespace
+
+Warning channelMissing(MapKind kind, const MapSlot& slot)
+{
+    return {"channel-missing", prefixOf(slot) + "it has no alpha channel" + leftOut(kind)};
+}
 
 Expected<Material> loadMaterial(const MapSlots& slots, const DecodedImages& decoded, const Material* previous, const Progress& progress)
 {

@@ -32,4 +32,7 @@ struct Material {
 Expected<Material> loadMaterial(
     const MapSlots& slots, const DecodedImages& decoded = {}, const Material* previous = nullptr, const Progress& progress = {});
 
+// What is told of a slot that reads the alpha of a picture without alpha: the map is left out.
+Warning channelMissing(MapKind kind, const MapSlot& slot);
+
 } // namespace relievo

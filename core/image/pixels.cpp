@@ -87,9 +87,14 @@ std::pair<int, int> channelRange(const Image& image, Channel channel)
     return {index, index + 1};
 }
 
+bool hasAlpha(const Image& image)
+{
+    return image.channels % 2 == 0;
+}
+
 bool hasChannel(const Image& image, Channel channel)
 {
-    return channel == Channel::Rgb || int(channel) < image.channels || (channel == Channel::A && image.channels == 2);
+    return channel != Channel::A || hasAlpha(image);
 }
 
 bool hasEqualRgb(const Image& image)
@@ -115,9 +120,24 @@ bool looksGrey(const Image& image)
     return true;
 }
 
+std::optional<Channel> onlyVarying(const Image& image)
+{
+    std::optional<Channel> varying;
+    for (const Channel channel : {Channel::R, Channel::G, Channel::B}) {
+        const auto [low, high] = rangeOf(image, channel);
+        if (low != high && varying)
+            return std::nullopt;
+        if (low != high)
+            varying = channel;
+    }
+    return varying;
+}
+
 Channel scalarChannel(const Image& image, Channel channel)
 {
-    return channel == Channel::Rgb && hasEqualRgb(image) ? Channel::R : channel;
+    if (channel != Channel::Rgb)
+        return channel;
+    return hasEqualRgb(image) ? Channel::R : onlyVarying(image).value_or(channel);
 }
 
 std::pair<double, double> rangeOf(const Image& image, Channel channel)
@@ -143,7 +163,7 @@ std::pair<double, double> rangeOf(const Image& image, Channel channel)
 
 bool alphaVaries(const Image& image)
 {
-    if (image.channels != 2 && image.channels != 4)
+    if (!hasAlpha(image))
         return false;
     const auto [low, high] = rangeOf(image, Channel::A);
     return low < high;

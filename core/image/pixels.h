@@ -4,6 +4,7 @@
 #pragma once
 #include "core/image/image.h"
 #include "core/state/map_slots.h"
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,13 +24,15 @@ template <class Work> auto withTexels(const Image& image, Work work)
     return work(reinterpret_cast<const float*>(image.data.data()), 1.f);
 }
 
-// The channels [first, last) that `channel` stands for; alpha is the last of two or four, what the image lacks is its first.
+// The channels [first, last) that `channel` stands for; alpha is the last of two or four, the colour that the image lacks is its first.
 std::pair<int, int> channelRange(const Image& image, Channel channel);
 
-bool hasChannel(const Image& image, Channel channel);
+bool hasAlpha(const Image& image);
+bool hasChannel(const Image& image, Channel channel); // greys stand for red, green and blue; nothing stands for alpha
 bool hasEqualRgb(const Image& image); // grey stored as colour; true for one or two channels
 bool looksGrey(const Image& image); // as hasEqualRgb, but for the small differences that JPEG leaves
-Channel scalarChannel(const Image& image, Channel channel); // Rgb becomes R where red is all there is to know
+std::optional<Channel> onlyVarying(const Image& image); // of red, green and blue; the others are constant and say nothing
+Channel scalarChannel(const Image& image, Channel channel); // Rgb becomes the one channel where that is all there is to know
 std::pair<double, double> rangeOf(const Image& image, Channel channel); // min and max of its finite values; (0, 0) without any
 bool isMostlyBlack(const Image& image); // its colours' mean as stored is below 0.1: black with lights in it
 bool alphaVaries(const Image& image); // has an alpha channel that is not the same everywhere

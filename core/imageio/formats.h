@@ -23,7 +23,7 @@ struct FormatRow {
 inline constexpr auto kFormats = std::to_array<FormatRow>({
     {"png", "PNG", "png", "\x89PNG\r\n\x1a\n", "1234", 16, false},
     {"jpeg", "JPEG", "jpg jpeg", "\xff\xd8\xff", "13", 8, false},
-    {"tiff", "TIFF", "tif tiff", std::string_view("II*\0", 4), "1234", 16, true},
+    {"tiff", "TIFF", "tif tiff tx", std::string_view("II*\0", 4), "1234", 16, true},
     {"tiff", "TIFF", "", std::string_view("MM\0*", 4), "", 0, false},
     {"tiff", "TIFF", "", std::string_view("II+\0", 4), "", 0, false},
     {"tiff", "TIFF", "", std::string_view("MM\0+", 4), "", 0, false},

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ground/text.h"
 #include "core/imageio/channel.h"
+#include "core/imageio/mesh_codecs.h"
 #include "core/imageio/picture.h"
 #include "core/imageio/read.h"
 #include "core/imageio/write.h"
@@ -67,15 +68,34 @@ WriteRequest writeRequest(PacketReader& packet)
     return request;
 }
 
+DracoRequest dracoRequest(PacketReader& packet)
+{
+    DracoRequest request{packet.number(), {}};
+    while (packet.ok() && !packet.atEnd()) {
+        DracoAttribute& attribute = request.attributes.emplace_back();
+        for (std::uint64_t* number : {&attribute.id, &attribute.components, &attribute.componentType})
+            *number = packet.number();
+    }
+    return request;
+}
+
 void answer(Channel& channel, Message message, std::span<const std::byte> bytes)
 {
     PacketReader packet(bytes);
     if (message == Message::Write)
         return answerWrite(channel, writeRequest(packet));
+    if (message == Message::Meshopt) {
+        MeshoptRequest request;
+        for (std::uint64_t* number : {&request.size, &request.count, &request.stride, &request.mode, &request.filter})
+            *number = packet.number();
+        return answerMeshopt(channel, request);
+    }
+    if (message == Message::Draco)
+        return answerDraco(channel, dracoRequest(packet));
     const std::string file = packet.text();
-    if (message == Message::ReadBytes)
-        return answerReadBytes(channel, packet.number());
-    answerRead(channel, file, relievo::lowerSuffix(file).erase(0, 1), message == Message::Info);
+    if (message == Message::ReadBytes || message == Message::InfoBytes)
+        return answerReadBytes(channel, packet.number(), message == Message::InfoBytes);
+    answerRead(channel, {file, relievo::lowerSuffix(file).erase(0, 1), packet.text()}, message == Message::Info);
 }
 
 // A refusal in the middle of a reply is fine: the editor drops what came before.
@@ -89,7 +109,7 @@ bool answerSafely(Channel& channel, Message message, std::span<const std::byte> 
     } catch (const std::exception&) {
         channel.fail({"the image library gave up on it", "The file is damaged: export it again from the program that made it"});
     }
-    return message != Message::Write && message != Message::ReadBytes; // their input may be only half taken
+    return message == Message::Info || message == Message::Read; // their input may be only half taken
 }
 } // namespace
 

@@ -3,8 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/imageio/picture.h"
 #include "core/image/files/image_file.h"
+#include "core/imageio/dds.h"
+#include "core/imageio/layers.h"
 #include "core/imageio/read.h"
+#include "core/imageio/tiff_tags.h"
 #include <algorithm>
+#include <bit>
 #include <fstream>
 
 namespace relievo::imageio {
@@ -123,12 +127,68 @@ tl::expected<void, Refusal> checkSize(const Picture& picture)
     return {};
 }
 
+// The number that becomes 1 where whole numbers are sent as floats.
+std::uint64_t storedMaximum(const Picture& picture)
+{
+    if (picture.threeBytes)
+        return 0xffffff;
+    if (picture.type != PixelType::F32 || !picture.spec.channelformats.empty())
+        return 0;
+    switch (picture.spec.format.basetype) {
+    case OIIO::TypeDesc::INT8:
+        return 127;
+    case OIIO::TypeDesc::INT16:
+        return 32767;
+    case OIIO::TypeDesc::INT32:
+        return 2147483647;
+    case OIIO::TypeDesc::UINT32:
+        return 4294967295;
+    default:
+        return 0;
+    }
+}
+
+// The library misreads rare sizes of samples.
+tl::expected<void, Refusal> checkSamples(const TiffTags& tags)
+{
+    constexpr int kSigned = 2, kFloat = 3;
+    const auto isOneOf = [&](std::initializer_list<int> sizes) { return std::ranges::count(sizes, int(tags.bits)) > 0; };
+    const bool faithful = tags.format == kFloat ? isOneOf({16, 32, 64})
+        : tags.format == kSigned                ? isOneOf({8, 16, 32})
+                                                : tags.format < kSigned && isOneOf({1, 2, 4, 6, 8, 10, 12, 14, 16, 24, 32});
+    constexpr int kLab = 8, kLastLab = 10; // CIE, ICC and ITU
+    if (tags.photometric >= kLab && tags.photometric <= kLastLab)
+        return tl::unexpected(Refusal{"its colors are stored as L*a*b*, which is not read", "Convert it to RGB"});
+    if (faithful)
+        return {};
+    const char* const kind = tags.format == kFloat ? "floats" : tags.format > kFloat ? "values of a rare kind" : "numbers";
+    return tl::unexpected(Refusal{"its samples are stored as " + std::to_string(tags.bits) + "-bit " + kind + ", which are not read",
+        "Export it with 8 or 16 bits, or as 32-bit float"});
+}
+
+// White as the smallest number is turned by the library only in up to 8 bits.
+void takeTags(Picture& picture, const TiffTags& tags)
+{
+    picture.threeBytes = tags.bits == 24;
+    picture.inverted = tags.photometric == 0 && !(tags.bits <= 8 && tags.format == 1);
+    if (!tags.survey)
+        return;
+    HeaderReply& header = picture.header;
+    header.hasSurvey = 1;
+    header.hasNoData = tags.survey->noData.has_value();
+    header.texelWidth = std::bit_cast<std::uint64_t>(tags.survey->texelWidth);
+    header.metres = std::bit_cast<std::uint64_t>(tags.survey->metres);
+    header.noData = std::bit_cast<std::uint64_t>(tags.survey->noData.value_or(0));
+}
+
 void fillHeader(Picture& picture, std::span<const std::byte> start)
 {
     HeaderReply& header = picture.header;
+    header.storedMaximum = storedMaximum(picture);
     header.fileWidth = std::uint64_t(picture.shown.width);
     header.fileHeight = std::uint64_t(picture.shown.height);
-    header.fileChannels = std::uint64_t(picture.spec.nchannels);
+    if (picture.layers.empty())
+        header.fileChannels = std::uint64_t(picture.spec.nchannels);
     header.channels = std::uint64_t(picture.channels);
     header.type = std::uint64_t(picture.type);
     header.storedBits = std::uint64_t(storedBits(picture, start));
@@ -149,7 +209,7 @@ void tellPeculiarities(Picture& picture, std::span<const std::byte> start)
 {
     if (isOddTga(picture, start))
         picture.warnings.emplace_back("unusual-tga", "the TGA header is unusual, the picture may be wrong: convert it to PNG if so");
-    const int count = picture.spec.nchannels;
+    const int count = int(picture.header.fileChannels);
     if (count > 4)
         picture.warnings.emplace_back("channels", "only the first 4 of its " + std::to_string(count) + " channels are used");
     if (isCmyk(picture.spec))
@@ -157,8 +217,73 @@ void tellPeculiarities(Picture& picture, std::span<const std::byte> start)
     if (picture.spec.get_int_attribute("Orientation", 1) > 1)
         picture.warnings.emplace_back("orientation", "the image is stored turned (by its orientation tag): shown as stored");
     const int parts = picture.spec.get_int_attribute("oiio:subimages", 1);
-    if (parts > 1)
+    if (parts > 1 && picture.format->name != "openexr")
         picture.warnings.emplace_back("parts", "only the first of its " + std::to_string(parts) + " parts is used");
+}
+std::string listOf(const std::vector<std::string>& names)
+{
+    constexpr std::size_t kShown = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i)
+        text += (i > 0 ? ", " : "") + names[i].substr(0, 60);
+    return names.size() > kShown ? text + " and " + std::to_string(names.size() - kShown) + " more" : text;
+}
+
+tl::expected<void, Refusal> openInput(Picture& picture, const std::string& file)
+{
+    DdsPlan dds;
+    if (picture.format->name == "dds") {
+        auto plan = planDds(file);
+        if (!plan)
+            return tl::unexpected(plan.error());
+        dds = std::move(*plan);
+    }
+    picture.rewritten = dds.rewritten;
+    picture.input = dds.input ? std::move(dds.input) : OIIO::ImageInput::create(picture.format->name);
+    if (!picture.input)
+        return tl::unexpected(
+            Refusal{"this build reads no " + std::string(picture.format->label) + " images", "Convert it to PNG or TIFF"});
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1); // alpha often holds height: colours must never be multiplied by it
+    const std::string name = picture.rewritten ? picture.rewritten->path() : file;
+    if (picture.input->open(name, picture.spec, config))
+        return {};
+    const std::string text = picture.input->geterror();
+    const bool unknown = picture.format->name == "dds" && text.find("nsupported") != text.npos;
+    return tl::unexpected(unknown ? unknownDds(dds.kind) : refusalFrom(*picture.format, text, name));
+}
+
+// Which layer of an EXR file is read. Without a wish it is the first one, and the others are told.
+tl::expected<void, Refusal> chooseLayer(Picture& picture, const std::string& file, const std::string& wanted)
+{
+    if (picture.format->name != "openexr")
+        return wanted.empty() ? tl::expected<void, Refusal>()
+                              : tl::unexpected(Refusal{"only EXR files have layers", "Leave out what follows the #"});
+    const std::vector<Layer> layers = layersOf(*picture.input);
+    if (layers.empty())
+        return {};
+    std::vector<std::string> names = namesOf(layers);
+    const auto named = std::ranges::find(names, wanted);
+    if (!wanted.empty() && named == names.end())
+        return tl::unexpected(Refusal{"it has no layer \"" + wanted + '"', "It holds " + listOf(names)});
+    const std::size_t chosen = wanted.empty() ? 0 : std::size_t(named - names.begin());
+    const Layer& layer = layers[chosen];
+    if (!picture.input->seek_subimage(layer.part, 0))
+        return tl::unexpected(refusalFrom(*picture.format, picture.input->geterror(), file));
+    picture.spec = picture.input->spec();
+    picture.part = layer.part;
+    picture.firstChannel = layer.firstChannel;
+    picture.channels = std::min(layer.channels, 4);
+    picture.header.fileChannels = std::uint64_t(layer.channels);
+    picture.layers = names;
+    if (wanted.empty() && layers.size() > 1) {
+        names.erase(names.begin());
+        const std::string name = file.substr(file.rfind('/') + 1);
+        picture.warnings.emplace_back("parts",
+            "only its layer \"" + namesOf({layer})[0] + "\" is used; it also holds " + listOf(names) + ": choose one as " + name + '#'
+                + names[0]);
+    }
+    return {};
 }
 } // namespace
 
@@ -182,7 +307,7 @@ Refusal refusalFrom(const FormatRow& format, std::string text, const std::string
     return {what, std::string(kDamaged)};
 }
 
-tl::expected<Picture, Refusal> openPicture(const std::string& file, const std::string& suffix)
+tl::expected<Picture, Refusal> openPicture(const std::string& file, const std::string& suffix, const std::string& layer)
 {
     const std::vector<std::byte> start = firstBytes(file);
     Picture picture;
@@ -190,16 +315,17 @@ tl::expected<Picture, Refusal> openPicture(const std::string& file, const std::s
     if (!picture.format)
         return tl::unexpected(notAnImage(start, suffix));
     picture.budget = std::make_unique<Budget>(*picture.format, file);
-    picture.input = OIIO::ImageInput::create(picture.format->name);
-    if (!picture.input)
-        return tl::unexpected(
-            Refusal{"this build reads no " + std::string(picture.format->label) + " images", "Convert it to PNG or TIFF"});
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1); // alpha often holds height: colours must never be multiplied by it
-    if (!picture.input->open(file, picture.spec, config))
-        return tl::unexpected(refusalFrom(*picture.format, picture.input->geterror(), file));
-    picture.type = pixelType(picture.spec);
+    const std::optional<TiffTags> tags = picture.format->name == "tiff" ? tiffTags(file) : std::nullopt;
+    if (const auto faithful = tags ? checkSamples(*tags) : tl::expected<void, Refusal>(); !faithful)
+        return tl::unexpected(faithful.error());
+    if (const auto opened = openInput(picture, file); !opened)
+        return tl::unexpected(opened.error());
     picture.channels = std::min(picture.spec.nchannels, 4);
+    if (const auto chosen = chooseLayer(picture, file, layer); !chosen)
+        return tl::unexpected(chosen.error());
+    picture.type = pixelType(picture.spec);
+    if (tags)
+        takeTags(picture, *tags);
     chooseWindows(picture);
     if (const auto size = checkSize(picture); !size)
         return tl::unexpected(size.error());

@@ -93,6 +93,11 @@ public:
                 continue;
             if (!readRows(y, end))
                 return tl::unexpected(refusalFrom(*m_picture.format, m_picture.input->geterror(), file));
+            const std::size_t values = std::size_t(end - y) * std::size_t(m_picture.data.width) * std::size_t(m_picture.channels);
+            if (m_picture.threeBytes)
+                orderBytes(values);
+            if (m_picture.inverted)
+                invert(values);
             place(y, end);
         }
         sendEmpty(std::max(data.y + data.height, shown.y), shown.y + shown.height);
@@ -124,11 +129,41 @@ private:
     bool readRows(int y, int end)
     {
         const OIIO::ImageSpec& spec = m_picture.spec;
-        const OIIO::TypeDesc type = libraryType(m_picture.type);
+        const OIIO::TypeDesc type = m_picture.threeBytes ? OIIO::TypeDesc(OIIO::TypeDesc::UINT32) : libraryType(m_picture.type);
+        const int part = m_picture.part, first = m_picture.firstChannel, last = first + m_picture.channels;
         if (spec.tile_width > 0)
             return m_picture.input->read_tiles(
-                0, 0, spec.x, spec.x + spec.width, y, end, spec.z, spec.z + 1, 0, m_picture.channels, type, m_strip.data());
-        return m_picture.input->read_scanlines(0, 0, y, end, spec.z, 0, m_picture.channels, type, m_strip.data());
+                part, 0, spec.x, spec.x + spec.width, y, end, spec.z, spec.z + 1, first, last, type, m_strip.data());
+        return m_picture.input->read_scanlines(part, 0, y, end, spec.z, first, last, type, m_strip.data());
+    }
+
+    // 32 bits whose upper three bytes are the number's, the lowest first, become shares of the largest number.
+    void orderBytes(std::size_t values)
+    {
+        for (std::byte* at = m_strip.data(); values > 0; --values, at += 4) {
+            std::uint32_t stored;
+            std::memcpy(&stored, at, sizeof stored);
+            const std::uint32_t number = stored >> 24 | (stored >> 8 & 0xff00) | (stored << 8 & 0xff0000);
+            const float share = float(double(number) / 0xffffff);
+            std::memcpy(at, &share, sizeof share);
+        }
+    }
+
+    // Turns white, the smallest number of the file, into the largest. Alpha has no such turn.
+    void invert(std::size_t values)
+    {
+        const auto turn = [&](auto* value, auto most) {
+            const std::size_t channels = std::size_t(m_picture.channels);
+            for (std::size_t i = 0; i < values; ++i)
+                if (channels % 2 == 1 || i % channels != channels - 1)
+                    value[i] = decltype(most)(most - value[i]);
+        };
+        if (m_picture.type == PixelType::U16)
+            turn(reinterpret_cast<std::uint16_t*>(m_strip.data()), std::uint16_t(65535));
+        else if (m_picture.type == PixelType::U8)
+            turn(reinterpret_cast<std::uint8_t*>(m_strip.data()), std::uint8_t(255));
+        else
+            turn(reinterpret_cast<float*>(m_strip.data()), 1.f);
     }
 
     // Cuts the strip to the shown window and hands it on.
@@ -183,30 +218,32 @@ void tellPages(Picture& picture)
         picture.warnings.emplace_back("parts", "only the first of its pages is used");
 }
 
-void sendHeader(Channel& channel, HeaderReply header)
+void sendHeader(Channel& channel, Picture& picture)
 {
     PacketWriter packet;
-    for (const std::uint64_t* number : numbers(header))
+    for (const std::uint64_t* number : numbers(picture.header))
         packet.put(*number);
+    for (const std::string& layer : picture.layers)
+        packet.put(layer);
     channel.send(Message::Header, packet.bytes());
 }
 } // namespace
 
-void answerRead(Channel& channel, const std::string& file, const std::string& suffix, bool headerOnly)
+void answerRead(Channel& channel, const ReadRequest& request, bool headerOnly)
 {
-    tl::expected<Picture, Refusal> picture = openPicture(file, suffix);
+    tl::expected<Picture, Refusal> picture = openPicture(request.file, request.suffix, request.layer);
     if (!picture)
         return channel.fail(picture.error());
-    sendHeader(channel, picture->header);
+    sendHeader(channel, *picture);
     if (!headerOnly) {
-        if (const auto sent = PixelStream(channel, *picture).run(file); !sent)
+        if (const auto sent = PixelStream(channel, *picture).run(request.file); !sent)
             return channel.fail(sent.error());
         tellPages(*picture);
     }
     channel.done(picture->warnings);
 }
 
-void answerReadBytes(Channel& channel, std::uint64_t size)
+void answerReadBytes(Channel& channel, std::uint64_t size, bool headerOnly)
 {
     MemoryFile file;
     std::vector<std::byte> block(std::min<std::uint64_t>(size, kStripBytes));
@@ -217,7 +254,7 @@ void answerReadBytes(Channel& channel, std::uint64_t size)
         file.append(part);
         size -= part.size();
     }
-    answerRead(channel, file.path(), "", false);
+    answerRead(channel, {file.path(), "", ""}, headerOnly);
 }
 
 } // namespace relievo::imageio

@@ -11,8 +11,14 @@ namespace relievo::imageio {
 inline constexpr int kMaxFileSide = 1 << 17; // texels
 inline constexpr double kMaxFileTexels = double(1 << 30);
 
-// Answers Info (headerOnly) or Read. The format is recognised by content; suffix (lower case, no dot) helps where it has no mark.
-void answerRead(Channel& channel, const std::string& file, const std::string& suffix, bool headerOnly);
-void answerReadBytes(Channel& channel, std::uint64_t size);
+struct ReadRequest {
+    std::string file;
+    std::string suffix; // lower case, no dot: helps where a format has no mark; else it is recognised by its content
+    std::string layer; // of an EXR file, "" for the first one
+};
+
+// Answers Info (headerOnly) or Read.
+void answerRead(Channel& channel, const ReadRequest& request, bool headerOnly);
+void answerReadBytes(Channel& channel, std::uint64_t size, bool headerOnly);
 
 } // namespace relievo::imageio

@@ -52,6 +52,8 @@ struct MeshFactors {
     glm::vec3 color{1.f}; // linear
     float roughness = 1.f, metallic = 1.f, normal = 1.f, occlusion = 1.f; // of occlusion the strength
     float emission = 0.f; // of its brightest channel
+    std::optional<float> specular = {}; // of its brightest channel, where the material has one
+    bool clamped = false; // its pictures do not repeat
 };
 
 // A material as the mesh file describes it; parts refer to it by name.

@@ -1,6 +1,8 @@
 // Opening meshes by name or file, and describing them as JSON.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ground/foreign_file.h"
+#include "core/ground/name_forms.h"
 #include "core/ground/text.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/readers/raw_mesh.h"
@@ -29,8 +31,10 @@ Expected<Mesh> openMesh(const std::string& nameOrFile, const Progress& progress)
 {
     if (std::optional<Mesh> shape = makeShape(nameOrFile))
         return std::move(*shape);
-    const std::filesystem::path file(nameOrFile);
+    const std::filesystem::path file = thatLooksLike(nameOrFile).value_or(nameOrFile);
     const std::string suffix = lowerSuffix(file);
+    if (std::optional<Error> foreign = foreignFile(file))
+        return tl::unexpected(std::move(*foreign));
     for (const ReaderRow& row : kReaders) {
         if (row.suffix != suffix)
             continue;

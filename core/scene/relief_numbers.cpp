@@ -4,10 +4,12 @@
 #include "core/scene/relief_numbers.h"
 #include "core/ground/file.h"
 #include "core/ground/json_depth.h"
+#include "core/image/height_repair.h"
 #include "core/image/material.h"
 #include "core/state/techniques.h"
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -27,6 +29,13 @@ void takeNumber(State& state, std::string_view key, double value)
                     set(state.parameters, row, clamped(row, T(std::clamp(value, double(row.min), double(row.max)))));
         },
         row.member);
+}
+
+std::string shortText(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
 }
 
 void takeTechnique(State& state, const std::string& key)
@@ -86,6 +95,31 @@ void takeFactors(State& state, const MeshFactors& factors, const MapSlots& maps)
     takeNumber(state, "aoStrength", double(factors.occlusion));
     if (hasEmission)
         takeNumber(state, "emission", double(factors.emission));
+    if (factors.specular)
+        takeNumber(state, "specular", double(*factors.specular));
+    state.parameters.wrap = factors.clamped ? Wrap::Clamp : Wrap::Repeat;
+}
+
+void takeHeightNumbers(State& state, const Image& image, Warnings& warnings)
+{
+    const MapSlot& slot = state.slots[std::size_t(MapKind::Height)];
+    const std::string file = fs::path(slot.file).filename().string();
+    const HeightPixels pixels(image, slot.channel);
+    const ScalarTrouble trouble = scalarTrouble(pixels.image(), pixels.channel());
+    const bool isSurvey = image.survey && image.survey->texelWidth > 0;
+    if (isSurvey) {
+        const double tile = image.survey->texelWidth * image.width,
+                     relief = (trouble.rescales() ? trouble.high - trouble.low : 1.) * image.survey->metres, depth = relief / tile;
+        takeNumber(state, "depth", depth);
+        const bool fits = double(state.parameters.depth) >= depth * 0.999;
+        warnings.push_back({"survey",
+            file + ": " + shortText(relief) + " m of relief on a tile of " + shortText(tile) + " m: a depth of " + shortText(depth)
+                + " tiles" + (fits ? "" : ", more than the " + shortText(double(state.parameters.depth)) + " that can be shown")});
+    } else if (const std::optional<double> zero = trouble.zero()) {
+        takeNumber(state, "midlevel", slot.invert ? 1 - *zero : *zero);
+        warnings.push_back({"midlevel-set",
+            file + ": its heights have a sign: midlevel " + shortText(double(state.parameters.midlevel)) + " keeps zero on the mesh"});
+    }
 }
 
 std::optional<Warning> unfinishedExport(const fs::path& folder)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/ground/error.h"
+#include "core/image/image.h"
 #include "core/mesh/mesh.h"
 #include "core/state/state.h"
 #include <array>
@@ -18,6 +19,10 @@ void takeRelief(State& state, const MeshRelief& relief, double metresPerUV);
 
 // A glTF material's factors, clamped to the parameters' ranges. `maps` are the material's: without a colour map its factor is the colour.
 void takeFactors(State& state, const MeshFactors& factors, const MapSlots& maps);
+
+// What a height map's own numbers and tags say of its size: the depth of an elevation model, and the midlevel that keeps the zero of signed
+// heights on the mesh. Each is told. Nothing is taken from plain maps.
+void takeHeightNumbers(State& state, const Image& image, Warnings& warnings);
 
 // relief.json: its plain numbers and the parameters that they are.
 inline constexpr auto kReliefNumbers = std::to_array<std::pair<const char*, float Parameters::*>>({

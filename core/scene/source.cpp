@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/source.h"
+#include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/ground/foreign_file.h"
+#include "core/ground/name_forms.h"
 #include "core/ground/text.h"
 #include "core/image/samples/hard_cases.h"
 #include "core/image/samples/samples.h"
@@ -143,9 +146,11 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     if (source.starts_with("hard:"))
         return openHardCase(std::string_view(source).substr(5), base);
     std::error_code code;
-    const fs::path path = absolutePath(source);
-    if (source.empty() || !fs::exists(path, code))
+    const fs::path given = absolutePath(source), path = thatLooksLike(given).value_or(given);
+    if (source.empty() || (!fs::exists(path, code) && !pictureMayExist(path)))
         return failure(ErrorCode::NotFound, source.empty() ? "SOURCE" : source, "there is no such file or folder", "Check the path");
+    if (std::optional<Error> foreign = foreignFile(path))
+        return tl::unexpected(std::move(*foreign));
     if (isProjectFile(path)) {
         auto read = readState(base, path);
         if (!read)
@@ -160,8 +165,11 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     Opened opened{base, std::move(set->images), std::move(set->warnings)};
     opened.state.slots = set->slots();
     opened.state.name = set->name;
+    if (const auto heights = opened.images.find(opened.state.slots[std::size_t(MapKind::Height)].file); heights != opened.images.end())
+        takeHeightNumbers(opened.state, heights->second->image, opened.warnings);
     if (fs::is_directory(path, code))
-        opened.bringsValues = takeReliefJson(path, opened.state, opened.warnings);
+        takeReliefJson(path, opened.state, opened.warnings);
+    opened.bringsValues = opened.state.parameters != base.parameters || opened.state.panes != base.panes;
     return opened;
 }
 

@@ -4,11 +4,14 @@
 #include "core/image/files/image_file.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/ground/foreign_file.h"
+#include "core/ground/name_forms.h"
 #include "core/ground/text.h"
-#include "core/image/files/imageio_protocol.h"
+#include "core/image/files/helper_requests.h"
 #include "core/image/files/process_client.h"
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <fstream>
 #include <mutex>
 
@@ -27,15 +30,6 @@ Helper& helper()
     static Helper one;
     return one;
 }
-
-// What is sent after the request's packet, without copying it.
-using Payload = std::span<const std::byte>;
-
-struct Reply {
-    HeaderReply header;
-    std::vector<std::byte> data;
-    Warnings warnings;
-};
 
 // A conversation that broke: either an answer in words, or the helper is in trouble.
 struct Broken {
@@ -133,6 +127,8 @@ private:
             *number = packet.number();
         if (!packet.ok() || header.channels < 1 || header.channels > 4 || header.type > 2 || header.width * header.height > kMaxTexels)
             return false;
+        while (packet.ok() && !packet.atEnd())
+            m_reply.layers.push_back(packet.text());
         m_expected = std::size_t(header.width * header.height * header.channels) * bytesOf(PixelType(header.type));
         return true;
     }
@@ -159,8 +155,11 @@ private:
     std::size_t m_expected = 0; // bytes of pixels; 0 while unknown
 };
 
+} // namespace
+
 // A helper that has worked before may have been hurt by an earlier file: only a fresh one's death is this file's fault.
-Expected<Reply> ask(Message message, const PacketWriter& packet, Payload payload, const std::string& where, const Progress& progress)
+Expected<Reply> imageio::ask(
+    Message message, const PacketWriter& packet, Payload payload, const std::string& where, const Progress& progress)
 {
     Helper& one = helper();
     const std::scoped_lock lock(one.mutex);
@@ -180,6 +179,7 @@ Expected<Reply> ask(Message message, const PacketWriter& packet, Payload payload
     }
 }
 
+namespace {
 // The usual mistakes, told without a helper.
 Expected<void> checkReadable(const fs::path& file)
 {
@@ -193,12 +193,16 @@ Expected<void> checkReadable(const fs::path& file)
         return failure(ErrorCode::Unreadable, file.string(), "this is not a regular file", "Name an image file");
     if (!std::ifstream(file, std::ios::binary))
         return failure(ErrorCode::Unreadable, file.string(), "the file cannot be read", "Check its permissions");
+    if (std::optional<Error> foreign = foreignFile(file))
+        return tl::unexpected(std::move(*foreign));
     return {};
 }
 
-ImageInfo infoOf(const HeaderReply& header)
+ImageInfo infoOf(const Reply& reply)
 {
-    return {int(header.fileWidth), int(header.fileHeight), int(header.fileChannels), int(header.storedBits), header.storedFloat != 0};
+    const HeaderReply& header = reply.header;
+    return {int(header.fileWidth), int(header.fileHeight), int(header.fileChannels), int(header.storedBits), header.storedFloat != 0,
+        reply.layers};
 }
 
 Expected<ImageRead> imageOf(Expected<Reply> reply, const std::string& where)
@@ -209,6 +213,11 @@ Expected<ImageRead> imageOf(Expected<Reply> reply, const std::string& where)
     ImageRead read;
     read.image = {int(header.width), int(header.height), int(header.channels), PixelType(header.type), int(header.storedBits),
         header.storedFloat != 0, std::move(reply->data)};
+    read.image.storedMaximum = double(header.storedMaximum);
+    if (header.hasSurvey != 0)
+        read.image.survey = Survey{std::bit_cast<double>(header.texelWidth) * double(header.fileWidth) / double(header.width),
+            std::bit_cast<double>(header.metres),
+            header.hasNoData != 0 ? std::optional(std::bit_cast<double>(header.noData)) : std::nullopt};
     read.warnings = std::move(reply->warnings);
     if (read.image.data.empty()
         || read.image.data.size() != read.image.texelCount() * std::size_t(read.image.channels) * bytesOf(read.image.type))
@@ -220,11 +229,27 @@ Expected<ImageRead> imageOf(Expected<Reply> reply, const std::string& where)
 }
 
 // The packet holds the absolute path: the helper keeps the folder it was started in.
-PacketWriter pathPacket(const fs::path& file)
+PacketWriter pathPacket(const NamedLayer& layer)
 {
     std::error_code code;
     PacketWriter packet;
-    packet.put(fs::absolute(file, code).string());
+    packet.put(fs::absolute(layer.file, code).string());
+    packet.put(layer.layer);
+    return packet;
+}
+
+NamedLayer fileAndLayer(const fs::path& file)
+{
+    NamedLayer named = layerOf(file).value_or(NamedLayer{file, ""});
+    named.file = thatLooksLike(named.file).value_or(named.file);
+    return named;
+}
+
+PacketWriter bytesPacket(Payload bytes, const std::string& name)
+{
+    PacketWriter packet;
+    packet.put(name);
+    packet.put(std::uint64_t(bytes.size()));
     return packet;
 }
 
@@ -288,9 +313,16 @@ int imageHelperId()
 
 Expected<ImageInfo> readImageInfo(const fs::path& file)
 {
-    if (const auto readable = checkReadable(file); !readable)
+    if (namesEmbeddedPicture(file)) {
+        const Expected<std::vector<std::byte>> bytes = readEmbeddedPicture(file);
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        return ask(Message::InfoBytes, bytesPacket(*bytes, file.string()), *bytes, file.string(), {}).map(infoOf);
+    }
+    const NamedLayer layer = fileAndLayer(file);
+    if (const auto readable = checkReadable(layer.file); !readable)
         return tl::unexpected(readable.error());
-    return ask(Message::Info, pathPacket(file), {}, file.string(), {}).map([](const Reply& reply) { return infoOf(reply.header); });
+    return ask(Message::Info, pathPacket(layer), {}, file.string(), {}).map(infoOf);
 }
 
 Expected<ImageRead> readImage(const fs::path& file, const Progress& progress)
@@ -299,17 +331,15 @@ Expected<ImageRead> readImage(const fs::path& file, const Progress& progress)
         const Expected<std::vector<std::byte>> bytes = readEmbeddedPicture(file);
         return bytes ? readImageBytes(*bytes, file.string()) : tl::unexpected(bytes.error());
     }
-    if (const auto readable = checkReadable(file); !readable)
+    const NamedLayer layer = fileAndLayer(file);
+    if (const auto readable = checkReadable(layer.file); !readable)
         return tl::unexpected(readable.error());
-    return imageOf(ask(Message::Read, pathPacket(file), {}, file.string(), progress), file.string());
+    return imageOf(ask(Message::Read, pathPacket(layer), {}, file.string(), progress), file.string());
 }
 
 Expected<ImageRead> readImageBytes(std::span<const std::byte> bytes, const std::string& name)
 {
-    PacketWriter packet;
-    packet.put(name);
-    packet.put(std::uint64_t(bytes.size()));
-    return imageOf(ask(Message::ReadBytes, packet, bytes, name, {}), name);
+    return imageOf(ask(Message::ReadBytes, bytesPacket(bytes, name), bytes, name, {}), name);
 }
 
 Expected<void> writeImage(const fs::path& file, const Image& image, bool srgb)

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace relievo {
 
@@ -16,6 +17,7 @@ struct ImageInfo {
     int width = 0, height = 0, channels = 0;
     int storedBits = 8;
     bool storedFloat = false;
+    std::vector<std::string> layers = {}; // names of an EXR file's layers, when there are several; the first is read where none is named
 };
 
 // Largest number of texels kept of one image; a larger one is box-reduced by a whole factor while it is read.
@@ -28,8 +30,8 @@ struct ImageRead {
 
 // All functions are safe to call from several threads (requests to the helper are taken in turn). Errors name the file and
 // the cure. A crash, hang (20 s without progress) or memory bomb of the image library is an error; the helper is respawned.
+// `file` may also be "FILE.glb#N", picture N inside a glTF file, or "FILE.exr#NAME", a layer (core/gltf/pictures.h).
 Expected<ImageInfo> readImageInfo(const std::filesystem::path& file);
-// readImage also takes "FILE.glb#N": picture N inside a glTF file (core/gltf/pictures.h).
 Expected<ImageRead> readImage(const std::filesystem::path& file, const Progress& progress = {});
 
 // A texture inside a .glb or a data URI: the undecoded bytes of a PNG or JPEG. `name` stands in messages.

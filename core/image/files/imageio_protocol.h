@@ -13,19 +13,23 @@
 // Every message is a Frame, then `size` bytes. Numbers are in the machine's byte order: both ends run on one machine.
 //
 // Requests, one at a time; the next one is sent after Done or Failed:
-//   Info      packet: file
-//   Read      packet: file
-//   ReadBytes packet: name, byte count; then that many raw bytes of an encoded image
+//   Info      packet: file, layer
+//   Read      packet: file, layer ("" for the first one)
+//   InfoBytes, ReadBytes  packet: name, byte count; then that many raw bytes of an encoded image
 //   Write     packet: WriteRequest; then width * height * channels values, row 0 first, interleaved
+//   Meshopt   packet: MeshoptRequest; then that many compressed bytes (EXT_meshopt_compression)
+//   Draco     packet: DracoRequest; then that many compressed bytes (KHR_draco_mesh_compression)
 // Replies:
-//   Info      Header, Done                     Header packet: HeaderReply
+//   Info...   Header, Done                     Header packet: HeaderReply, then the names of layers
 //   Read...   Header, Data ..., Done           Data: whole rows in order, interleaved; Done packet: warnings (code, text) pairs
 //   Write     Data ..., Done                   Data: the encoded file's bytes in order
-//   any       Failed at any point              packet: what, hint
+//   Meshopt   Data ..., Done                   Data: count * stride bytes
+//   Draco     Data ..., Done                   Data: 32 bits each: points, triangles, three points a triangle; then each attribute's values
+//   by point any       Failed at any point              packet: what, hint
 // The helper ends when its stdin is closed. A reply that stops without Done or Failed means that it died.
 namespace relievo::imageio {
 
-enum class Message : std::uint32_t { Info = 1, Read, ReadBytes, Write, Header, Data, Done, Failed };
+enum class Message : std::uint32_t { Info = 1, InfoBytes, Read, ReadBytes, Write, Meshopt, Draco, Header, Data, Done, Failed };
 
 struct Frame {
     Message message;
@@ -99,13 +103,32 @@ struct HeaderReply {
     std::uint64_t width = 0, height = 0, channels = 0; // as sent
     std::uint64_t type = 0; // a PixelType
     std::uint64_t storedBits = 8, storedFloat = 0;
+    std::uint64_t storedMaximum = 0; // as Image has it
+    std::uint64_t hasSurvey = 0, hasNoData = 0;
+    std::uint64_t texelWidth = 0, metres = 0, noData = 0; // bits of the doubles of a Survey
 };
 // numbers(x) lists the members once, for writing and reading alike.
 template <class Header> auto numbers(Header& h)
 {
-    return std::vector{
-        &h.fileWidth, &h.fileHeight, &h.fileChannels, &h.width, &h.height, &h.channels, &h.type, &h.storedBits, &h.storedFloat};
+    return std::vector{&h.fileWidth, &h.fileHeight, &h.fileChannels, &h.width, &h.height, &h.channels, &h.type, &h.storedBits,
+        &h.storedFloat, &h.storedMaximum, &h.hasSurvey, &h.hasNoData, &h.texelWidth, &h.metres, &h.noData};
 }
+
+enum class MeshoptMode : std::uint64_t { Attributes, Triangles, Indices };
+enum class MeshoptFilter : std::uint64_t { None, Octahedral, Quaternion, Exponential };
+struct MeshoptRequest {
+    std::uint64_t size = 0; // compressed bytes
+    std::uint64_t count = 0, stride = 0; // elements, and bytes of each
+    std::uint64_t mode = 0, filter = 0; // MeshoptMode, MeshoptFilter
+};
+
+struct DracoAttribute {
+    std::uint64_t id = 0, components = 0, componentType = 0; // the id in the compressed bytes; the type as glTF numbers it: 5126 is float
+};
+struct DracoRequest {
+    std::uint64_t size = 0; // compressed bytes
+    std::vector<DracoAttribute> attributes;
+};
 
 struct WriteRequest {
     std::string suffix; // lower case without dot: "png"

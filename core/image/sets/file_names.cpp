@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/sets/file_names.h"
+#include "core/ground/name_forms.h"
 #include "core/ground/text.h"
 #include "core/image/sets/name_words.h"
 #include <algorithm>
@@ -29,7 +30,7 @@ bool isSeparator(char c)
 std::string normalised(std::string text)
 {
     std::ranges::replace_if(text, isSeparator, '_');
-    return lowered(text);
+    return folded(text);
 }
 
 constexpr std::string_view kTakes = "copy new old";
@@ -57,7 +58,7 @@ bool wordEndsBetween(std::string_view name, std::size_t at)
 
 void splitToken(std::string_view name, std::size_t begin, std::size_t end, std::vector<Word>& words)
 {
-    const std::string whole = lowered(name.substr(begin, end - begin));
+    const std::string whole = folded(name.substr(begin, end - begin));
     if (isTag(whole) || isVersion(whole)) {
         words.push_back({begin, end, whole, true, isTag(whole)});
         return;
@@ -66,7 +67,7 @@ void splitToken(std::string_view name, std::size_t begin, std::size_t end, std::
         std::size_t to = from + 1;
         while (to < end && !wordEndsBetween(name, to))
             ++to;
-        words.push_back({from, to, lowered(name.substr(from, to - from)), from == begin, false});
+        words.push_back({from, to, folded(name.substr(from, to - from)), from == begin, false});
         from = to;
     }
 }
@@ -259,16 +260,18 @@ std::optional<NameGuess> joinedByBlender(std::string_view name)
 }
 } // namespace
 
-NameGuess guessFromName(std::string_view name)
+NameGuess guessFromName(std::string_view given)
 {
+    const std::string name = composed(given);
     if (std::optional<NameGuess> both = joinedByBlender(name))
         return *both;
     const std::vector<Word> words = wordsOf(name);
     return guessOf(name, words, matchOf(words));
 }
 
-std::optional<NameGuess> withoutWorkflow(std::string_view name)
+std::optional<NameGuess> withoutWorkflow(std::string_view given)
 {
+    const std::string name = composed(given);
     std::vector<Word> words = wordsOf(name);
     const std::optional<Match> last = matchOf(words);
     if (!last || last->first == 0 || last->last < words.size() || !(words[last->first - 1].tag || words[last->first - 1].number()))
@@ -278,8 +281,9 @@ std::optional<NameGuess> withoutWorkflow(std::string_view name)
     return earlier ? std::optional(guessOf(name, words, earlier)) : std::nullopt;
 }
 
-std::vector<NameGuess> otherReadings(std::string_view name)
+std::vector<NameGuess> otherReadings(std::string_view given)
 {
+    const std::string name = composed(given);
     const std::vector<Word> words = wordsOf(name);
     const std::optional<Match> match = matchOf(words);
     if (!match)
@@ -292,9 +296,42 @@ std::vector<NameGuess> otherReadings(std::string_view name)
     return readings;
 }
 
+namespace {
+std::string lastPart(std::string_view layer)
+{
+    return lowered(layer.substr(layer.rfind('.') + 1));
+}
+} // namespace
+
+std::optional<std::string> heightLayer(const std::vector<std::string>& layers)
+{
+    for (std::string_view wanted : {"height", "displacement", "disp", "depth", "z"})
+        for (const std::string& layer : layers)
+            if (lastPart(layer) == wanted)
+                return layer;
+    return std::nullopt;
+}
+
+bool isDepthLayer(std::string_view layer)
+{
+    return listed("depth z", lastPart(layer));
+}
+
 bool endsInDepth(std::string_view name)
 {
-    return lowered(name).ends_with("depth");
+    return folded(name).ends_with("depth") || guessFromName(name).convention == Convention::Depth;
+}
+
+std::optional<UdimTile> udimTile(std::string_view stem)
+{
+    constexpr std::size_t kDigits = 4;
+    const std::string_view number = stem.substr(stem.size() - std::min(stem.size(), kDigits));
+    if (number.size() < kDigits || stem.size() < kDigits + 2 || !allDigits(number) || !isSeparator(stem[stem.size() - kDigits - 1]))
+        return std::nullopt;
+    const int tile = std::atoi(std::string(number).c_str());
+    if (tile < 1001 || tile > 1999)
+        return std::nullopt;
+    return UdimTile{std::string(stem.substr(0, stem.size() - kDigits)), tile};
 }
 
 } // namespace relievo

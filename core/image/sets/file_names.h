@@ -53,6 +53,18 @@ std::vector<NameGuess> otherReadings(std::string_view name);
 // follows a tag or number and an earlier kind word is left. Whether it is right depends on the siblings.
 std::optional<NameGuess> withoutWorkflow(std::string_view name);
 
+// The layer of an EXR file that holds heights, by its name or the last part of it: height, displacement, disp, depth, z, the first of
+// these that there is. The last two are distances: white is deep.
+std::optional<std::string> heightLayer(const std::vector<std::string>& layers);
+bool isDepthLayer(std::string_view layer);
+
+// "wall_height.1001": one of the tiles that a mesh's UVs are spread over, 1001 to 1999 at the end of the stem.
+struct UdimTile {
+    std::string base; // with the separator
+    int number;
+};
+std::optional<UdimTile> udimTile(std::string_view stem);
+
 // Whether an image without siblings is a depth map.
 bool endsInDepth(std::string_view name);
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/sets/name_words.h"
+#include "core/ground/name_forms.h"
 #include <array>
 #include <unordered_map>
 
@@ -28,6 +29,27 @@ constexpr auto kExtraWords = std::to_array<ExtraWords>({
     {MapKind::Gloss, "glossy"},
     {MapKind::Specular, "specularlevel refl"},
 });
+// The same in German, French, Spanish, Italian, Japanese, Chinese and Russian, with and without their marks, as folded() has them.
+constexpr auto kForeignWords = std::to_array<ExtraWords>({
+    {MapKind::Height,
+        "höhe hoehe hohe höhenkarte hoehenkarte verschiebung hauteur hauteurs déplacement deplacement altura alturas desplazamiento "
+        "altezza "
+        "高さ 高さマップ ハイト ハイトマップ ディスプレイスメント 変位 高度 高度图 置换 высота высоты смещение"},
+    {MapKind::Height, "tiefe tiefenkarte profondeur profundidad 深度 深さ デプス глубина"},
+    {MapKind::Color,
+        "farbe farben grundfarbe couleur couleurs colores colore 色 カラー ベースカラー アルベド アルベドマップ ディフューズ 拡散 颜色 "
+        "цвет"},
+    {MapKind::Normal, "normale normalen normales normali 法線 法線マップ ノーマル ノーマルマップ 法线 法线贴图 нормаль нормали"},
+    {MapKind::Roughness, "rauheit rauigkeit rauhigkeit rugosité rugosite rugosidad rugosità rugosita 粗さ ラフネス 粗糙度 шероховатость"},
+    {MapKind::Gloss, "glanz brillance brillo 光沢 グロス 光泽度 глянец"},
+    {MapKind::Metallic, "metall metallisch métal métallique metallique metálico metalico metallo 金属 金属度 メタリック メタルネス металл"},
+    {MapKind::AmbientOcclusion,
+        "umgebungsverdeckung verdeckung oclusión oclusion occlusione 遮蔽 環境遮蔽 アンビエントオクルージョン オクルージョン 环境光遮蔽"},
+    {MapKind::Specular, "spiegelung glanzlicht spéculaire speculaire especular スペキュラー 鏡面 高光"},
+    {MapKind::Emission, "leuchten émission emisión emision emissione 発光 エミッション エミッシブ 自发光 свечение"},
+    {MapKind::Opacity, "deckkraft transparenz opacité opacite opacidad transparencia opacità opacita 不透明度 アルファ прозрачность"},
+});
+constexpr std::string_view kDepthWords = "tiefe tiefenkarte profondeur profundidad 深度 深さ デプス глубина";
 constexpr std::string_view kGlWords = "gl ogl opengl";
 constexpr std::string_view kDxWords = "dx d3d directx";
 
@@ -64,7 +86,7 @@ using Dictionary = std::unordered_map<std::string, Meaning>;
 Convention conventionOfWord(MapKind kind, std::string_view word)
 {
     if (kind == MapKind::Height)
-        return word.starts_with("depth") ? Convention::Depth : Convention::Height;
+        return word.starts_with("depth") || listed(kDepthWords, word) ? Convention::Depth : Convention::Height;
     const auto ends = [&](std::string_view list) { return anyWord(list, [&](std::string_view end) { return word.ends_with(end); }); };
     return kind != MapKind::Normal ? Convention::Unsure
         : ends(kDxWords)           ? Convention::DX
@@ -88,6 +110,8 @@ Dictionary makeDictionary()
         addWords(dictionary, row.kind, row.suffixes, 0);
     for (const ExtraWords& extra : kExtraWords)
         addWords(dictionary, extra.kind, extra.words, 20);
+    for (const ExtraWords& foreign : kForeignWords)
+        forEachWord(foreign.words, [&](std::string_view word, int) { addWords(dictionary, foreign.kind, folded(word), 20); });
     for (std::string_view base : {"normal", "normals", "norm", "nor", "nrm", "nml", "n"})
         for (std::string_view list : {kGlWords, kDxWords})
             forEachWord(

@@ -84,14 +84,16 @@ bool vagueMayStay(const FileGroup& group, const NamedFile& vague)
 }
 
 // One-letter suffixes need a second opinion: another file of the group that names another kind.
-std::vector<NamedFile> takeDoubtful(Groups& groups)
+// "wall.png" beside "wall_n.png" is such an opinion: it is the colour. plain: stems of the files that name no kind.
+std::vector<NamedFile> takeDoubtful(Groups& groups, const std::set<std::string>& plain)
 {
     std::vector<NamedFile> doubtful;
     for (auto& [stem, group] : groups) {
         const FileGroup before = group;
         takeOut(group, doubtful, [&](const NamedFile& file) { return file.guess.vague != '\0' && !vagueMayStay(before, file); });
         const bool weakOnly = std::ranges::all_of(group.files, [](const NamedFile& file) { return file.guess.weak; });
-        if (weakOnly && group.kinds() < 2)
+        const bool besideColor = !stem.empty() && plain.contains(stem) && !group.holds(MapKind::Color);
+        if (weakOnly && group.kinds() < (besideColor ? 1 : 2))
             takeOut(group, doubtful, [](const NamedFile&) { return true; });
     }
     std::erase_if(groups, [](const auto& entry) { return entry.second.files.empty(); });
@@ -204,7 +206,10 @@ std::vector<FileGroup> groupFiles(std::span<const fs::path> files)
         group.files.push_back(std::move(named));
     }
     mergeNearStems(groups);
-    for (NamedFile& file : takeDoubtful(groups))
+    std::set<std::string> plain;
+    for (const NamedFile& file : without)
+        plain.insert(file.guess.stem);
+    for (NamedFile& file : takeDoubtful(groups, plain))
         without.push_back(std::move(file));
     for (NamedFile& file : without) {
         FileGroup& group = groups[file.guess.stem];

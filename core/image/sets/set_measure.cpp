@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/sets/set_measure.h"
+#include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/ground/text.h"
 #include "core/image/height_repair.h"
 #include "core/image/pixels.h"
 #include "core/image/sets/convention.h"
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <oneapi/tbb/parallel_for_each.h>
+#include <tuple>
 
 namespace relievo {
 namespace {
@@ -33,11 +36,15 @@ const Image& imageOf(const TextureSet& set, const FoundMap& map)
 void measureOne(const TextureSet& set, FoundMap& map)
 {
     const Image& image = imageOf(set, map);
-    if (row(map.kind).channels == 1)
-        map.channel = scalarChannel(image, map.channel);
-    const auto [low, high] = rangeOf(image, map.channel);
-    map.min = low;
-    map.max = high;
+    if (map.kind == MapKind::Height) {
+        const HeightPixels pixels(image, map.channel);
+        std::tie(map.min, map.max) = rangeOf(pixels.image(), pixels.channel());
+        map.channel = pixels.code() == HeightCode::None ? pixels.channel() : Channel::Rgb;
+    } else {
+        if (row(map.kind).channels == 1)
+            map.channel = scalarChannel(image, map.channel);
+        std::tie(map.min, map.max) = rangeOf(image, map.channel);
+    }
     map.convention = row(map.kind).isColor && image.type != PixelType::F32 ? Convention::Srgb : Convention::Linear;
 }
 
@@ -65,7 +72,8 @@ Convention normalByItself(const Image& image, Convention named)
 void measurePair(TextureSet& set, FoundMap& height, FoundMap& normal, const NamedConventions& named)
 {
     const Image& normals = imageOf(set, normal);
-    const Agreement agreement = slopeAgreement(normals, imageOf(set, height), height.channel);
+    const HeightPixels heights(imageOf(set, height), height.channel);
+    const Agreement agreement = slopeAgreement(normals, heights.image(), heights.channel());
     if (clarity(agreement) < kClearAgreement) {
         set.warnings.push_back({"normal-contradicts-height",
             nameOf(normal) + " does not follow the slopes of " + nameOf(height) + " (correlation " + percent(clarity(agreement))
@@ -91,8 +99,7 @@ void tellConversions(TextureSet& set)
     if (const FoundMap* height = find(set, MapKind::Height)) {
         if (height->convention == Convention::Depth)
             set.warnings.push_back({"depth-map", nameOf(*height) + " is a depth map (white is deep): flipped"});
-        const ScalarTrouble trouble = scalarTrouble(imageOf(set, *height), height->channel);
-        for (Warning& warning : warningsOf(trouble, nameOf(*height)))
+        for (Warning& warning : warningsOf(HeightPixels(imageOf(set, *height), height->channel), nameOf(*height)))
             set.warnings.push_back(std::move(warning));
     }
     if (const FoundMap* normal = find(set, MapKind::Normal)) {
@@ -104,11 +111,35 @@ void tellConversions(TextureSet& set)
 }
 } // namespace
 
+namespace {
+// The layer of an EXR file that holds the heights, where several are to choose from.
+std::filesystem::path withHeightLayer(const std::filesystem::path& file)
+{
+    if (lowerSuffix(file) != ".exr")
+        return file;
+    const Expected<ImageInfo> info = readImageInfo(file);
+    const std::optional<std::string> layer = info ? heightLayer(info->layers) : std::nullopt;
+    return layer ? std::filesystem::path(layerName(file, *layer)) : file;
+}
+} // namespace
+
+std::pair<std::filesystem::path, Channel> fileAndChannel(const std::filesystem::path& given)
+{
+    const std::string text = given.string();
+    if (!pictureMayExist(given) || layerOf(given))
+        for (const Channel channel : {Channel::R, Channel::G, Channel::B, Channel::A})
+            if (const std::string end = '#' + std::string(wordOf(channel)); lowered(text).ends_with(end))
+                return {text.substr(0, text.size() - end.size()), channel};
+    return {given, Channel::Rgb};
+}
+
 MapSlot slotByHand(MapKind kind, const std::filesystem::path& given, DecodedImages& images, Warnings& warnings)
 {
-    const std::filesystem::path file = absolutePath(given);
+    const auto [name, channel] = fileAndChannel(given);
+    const std::filesystem::path whole = absolutePath(name), file = kind == MapKind::Height ? withHeightLayer(whole) : whole;
     const std::string stem = file.stem().string();
-    MapSlot slot{file.string(), Channel::Rgb, kind == MapKind::Height && endsInDepth(stem)};
+    const std::optional<NamedLayer> layer = layerOf(file);
+    MapSlot slot{file.string(), channel, kind == MapKind::Height && (endsInDepth(stem) || (layer && isDepthLayer(layer->layer)))};
     if (kind != MapKind::Normal)
         return slot;
     if (!images.contains(file))

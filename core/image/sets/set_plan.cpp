@@ -2,29 +2,16 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/sets/set_plan.h"
+#include "core/gltf/pictures.h"
+#include "core/ground/foreign_file.h"
 #include <algorithm>
 #include <array>
 
 namespace relievo {
 namespace fs = std::filesystem;
 namespace {
-constexpr std::string_view kImageSuffixes = "png jpg jpeg tif tiff exr hdr rgbe tga bmp dds webp psd ppm pgm pnm";
-struct Container {
-    std::string_view suffix, label;
-};
-constexpr auto kUnsupported = std::to_array<Container>({
-    {"ktx", "KTX textures"},
-    {"ktx2", "KTX2 textures"},
-    {"basis", "Basis textures"},
-    {"astc", "ASTC textures"},
-    {"sdb", "raw float height fields"},
-    {"raw", "raw height fields"},
-    {"r16", "raw height fields"},
-    {"r32", "raw float height fields"},
-    {"svg", "vector images"},
-    {"gif", "GIF images"},
-});
-
+constexpr std::string_view kImageSuffixes
+    = "png jpg jpeg tif tiff tx exr hdr rgbe tga tpic bmp dds webp psd ppm pgm pbm pnm"; // as the helper knows
 std::string suffixOf(const fs::path& file)
 {
     std::string suffix = file.extension().string();
@@ -35,18 +22,8 @@ std::string suffixOf(const fs::path& file)
 bool isImage(const fs::path& file)
 {
     const std::string suffix = suffixOf(file);
-    return !suffix.empty() && (" " + std::string(kImageSuffixes) + " ").find(" " + suffix + " ") != std::string::npos;
-}
-
-const Container* unsupported(const fs::path& file)
-{
-    const auto found = std::ranges::find(kUnsupported, suffixOf(file), &Container::suffix);
-    return found == kUnsupported.end() ? nullptr : &*found;
-}
-
-tl::unexpected<Error> refuse(const fs::path& file, const Container& container)
-{
-    return failure(file.string(), std::string(container.label) + " cannot be read", "Convert it to PNG, TIFF, EXR or DDS");
+    const bool named = !suffix.empty() && (" " + std::string(kImageSuffixes) + " ").find(" " + suffix + " ") != std::string::npos;
+    return named && !(suffix == "hdr" && foreignFile(file)); // headers of elevation data bear the same suffix
 }
 
 struct Listing {
@@ -84,8 +61,8 @@ Expected<Listing> listImages(const fs::path& folder)
     if (below.size() == 1)
         return std::move(below[0]);
     for (const fs::path& other : listing->others)
-        if (const Container* container = unsupported(other))
-            return refuse(other, *container);
+        if (std::optional<Error> foreign = foreignFile(other))
+            return tl::unexpected(std::move(*foreign));
     return failure(folder.string(),
         below.empty() ? "there is no readable image in this folder" : "the images lie in several folders below this one",
         below.empty() ? "Choose a folder with PNG, JPEG, TIFF, EXR, TGA, BMP, HDR or DDS files" : "Choose one of them");
@@ -158,8 +135,8 @@ Expected<SetPlan> planFolder(const fs::path& folder)
 // An image without siblings is a height map. A normal map or a packed file would make no sense as one.
 Expected<SetPlan> planImage(const fs::path& file)
 {
-    if (const Container* container = unsupported(file))
-        return refuse(file, *container);
+    if (std::optional<Error> foreign = foreignFile(file))
+        return tl::unexpected(std::move(*foreign));
     SetPlan plan;
     plan.folder = file.parent_path();
     plan.name = file.stem().string();
@@ -185,6 +162,32 @@ Expected<SetPlan> planImage(const fs::path& file)
 
 } // namespace
 
+namespace {
+// Tiles of the chosen files beside them: each covers a square of the UVs of its own, and one is shown.
+void tellUdim(SetPlan& plan)
+{
+    const NamedFile* first = nullptr;
+    for (const NamedFile& file : plan.files)
+        if (!first && udimTile(file.file.stem().string()))
+            first = &file;
+    const Expected<Listing> listing = first ? listFolder(plan.folder) : Expected<Listing>(Listing());
+    if (!first || !listing)
+        return;
+    const UdimTile chosen = *udimTile(first->file.stem().string());
+    std::vector<std::string> others;
+    for (const fs::path& image : listing->images)
+        if (const auto tile = udimTile(image.stem().string()); tile && tile->base == chosen.base && tile->number != chosen.number)
+            others.push_back(std::to_string(tile->number));
+    if (others.empty())
+        return;
+    std::erase_if(plan.warnings, [](const Warning& warning) { return warning.code == "several-sets"; });
+    plan.warnings.push_back({"udim",
+        first->file.filename().string() + " is one of the UDIM tiles " + std::to_string(chosen.number) + ", " + shortList(others)
+            + ": only tile " + std::to_string(chosen.number)
+            + " is shown, on all of the mesh; name an image of another tile to open that"});
+}
+} // namespace
+
 std::string shortList(const std::vector<std::string>& names)
 {
     constexpr std::size_t kShown = 5;
@@ -198,9 +201,12 @@ Expected<SetPlan> planSource(const fs::path& source)
 {
     std::error_code code;
     const fs::file_status status = fs::status(source, code);
-    if (!fs::exists(status))
+    if (!fs::exists(status) && !pictureMayExist(source))
         return failure(ErrorCode::NotFound, source.string(), "there is no such file or folder", "Check the path");
-    return fs::is_directory(status) ? planFolder(source) : planImage(source);
+    Expected<SetPlan> plan = fs::is_directory(status) ? planFolder(source) : planImage(source);
+    if (plan)
+        tellUdim(*plan);
+    return plan;
 }
 
 } // namespace relievo

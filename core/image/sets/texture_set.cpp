@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/sets/texture_set.h"
+#include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/ground/name_forms.h"
 #include "core/image/pixels.h"
 #include "core/image/sets/convention.h"
 #include "core/image/sets/set_candidates.h"
@@ -74,9 +76,28 @@ private:
     {
         Candidate candidate{file.file, file.guess, rolesByChannels(file.guess, info.channels), info, file.file == m_source};
         candidate.likeChosen = !file.guess.resolution.empty() && file.guess.resolution == m_resolution;
+        preferHeightLayer(candidate);
         if (candidate.roles.empty() && !file.guess.roles.empty())
             ignore(candidate, "has too few channels (" + std::to_string(info.channels) + ") for the maps that its name promises");
         return candidate;
+    }
+
+    // Renderings and bakes keep the height or the distance in a layer of its own.
+    void preferHeightLayer(Candidate& candidate)
+    {
+        if (candidate.roles != std::vector{MapRole{MapKind::Height}})
+            return;
+        const std::optional<std::string> layer = heightLayer(candidate.info.layers);
+        const fs::path file = layer ? fs::path(layerName(candidate.file, *layer)) : fs::path();
+        const Expected<ImageInfo> info = layer ? readImageInfo(file) : failure("", "");
+        if (!info)
+            return;
+        m_set.warnings.push_back({"parts",
+            candidate.file.filename().string() + ": of its layers " + shortList(candidate.info.layers) + " the height is read from "
+                + *layer});
+        candidate.file = file;
+        candidate.info = *info;
+        candidate.guess.convention = isDepthLayer(*layer) ? Convention::Depth : Convention::Height;
     }
 
     // Takes the file's roles away.
@@ -277,7 +298,7 @@ Expected<TextureSet> openTextureSet(const fs::path& source, const Progress& prog
 {
     if (source.empty())
         return failure(ErrorCode::NotFound, "SOURCE", "there is no such file or folder", "Check the path");
-    const fs::path path = absolutePath(source);
+    const fs::path given = absolutePath(source), path = thatLooksLike(given).value_or(given);
     Expected<SetPlan> plan = planSource(path);
     if (!plan)
         return tl::unexpected(plan.error());

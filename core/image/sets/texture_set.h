@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace relievo {
@@ -63,9 +64,12 @@ struct TextureSet {
 // Errors: nothing there, no readable image, unsupported container (KTX, KTX2, raw float) named as such.
 Expected<TextureSet> openTextureSet(const std::filesystem::path& source, const Progress& progress = {});
 
-// The slot for a file that the user gives by hand. A normal map in DirectX style, as its pixels show or else its name says, is
-// flipped with the warning "normal-directx"; a height map whose name ends in "depth" is inverted. Decoded pixels are added to
-// `images`. A file that cannot be read is no error here: loading it will be.
+// What "FILE#r" (g, b, a) names; any other name stands for all channels of itself.
+std::pair<std::filesystem::path, Channel> fileAndChannel(const std::filesystem::path& given);
+
+// The slot for a file that the user gives by hand; "FILE#r" (g, b, a) reads one channel of it. A normal map in DirectX style, as its pixels
+// show or else its name says, is flipped with the warning "normal-directx"; a height map whose name ends in "depth" is inverted. Decoded
+// pixels are added to `images`. A file that cannot be read is no error here: loading it will be.
 MapSlot slotByHand(MapKind kind, const std::filesystem::path& file, DecodedImages& images, Warnings& warnings);
 
 // The set that slots describe, for `info` of a project or sample: conventions as the slots say. Files that cannot be read become

@@ -1,6 +1,7 @@
 // The set that a project's slots describe, for telling what is in it.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/height_repair.h"
 #include "core/image/material.h"
 #include "core/image/pixels.h"
 #include "core/image/sets/texture_set.h"
@@ -27,6 +28,17 @@ FoundMap foundMap(const MapKindRow& row, const MapSlot& slot, const Image& image
     map.info = {image.width, image.height, image.channels, image.storedBits, image.storedFloat};
     std::tie(map.min, map.max) = rangeOf(image, map.channel);
     return map;
+}
+
+// Heights are told as they are read: decoded, and what loading will do to them.
+void addHeight(TextureSet& set, const MapSlot& slot, const Image& image)
+{
+    const HeightPixels pixels(image, slot.channel);
+    FoundMap map = foundMap(row(MapKind::Height), slot, image);
+    std::tie(map.min, map.max) = rangeOf(pixels.image(), pixels.channel());
+    for (Warning& warning : warningsOf(pixels, map.file.filename().string()))
+        set.warnings.push_back(std::move(warning));
+    set.maps.push_back(std::move(map));
 }
 
 // A map that is made by formula has no file to measure: it is made.
@@ -68,9 +80,16 @@ TextureSet textureSetOf(const std::string& name, const MapSlots& slots, const st
                 set.warnings.push_back({"map-missing", message(read.error())});
                 continue;
             }
+            set.warnings.insert(set.warnings.end(), read->warnings.begin(), read->warnings.end());
             set.images[slot.file] = std::make_shared<const ImageRead>(std::move(*read));
         }
-        set.maps.push_back(foundMap(row, slot, set.images[slot.file]->image));
+        const Image& image = set.images[slot.file]->image;
+        if (hasChannel(image, slot.channel) && row.kind == MapKind::Height)
+            addHeight(set, slot, image);
+        else if (hasChannel(image, slot.channel))
+            set.maps.push_back(foundMap(row, slot, image));
+        else
+            set.warnings.push_back(channelMissing(row.kind, slot));
     }
     return set;
 }

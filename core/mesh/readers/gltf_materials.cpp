@@ -5,8 +5,11 @@
 #include "core/gltf/gltf_document.h"
 #include "core/gltf/gltf_extensions.h"
 #include "core/gltf/gltf_uri.h"
+#include "core/gltf/gltf_values.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
+#include "core/image/files/image_file.h"
+#include "core/mesh/readers/gltf_not_shown.h"
 #include "core/state/parameters.h"
 #include <algorithm>
 #include <cmath>
@@ -24,23 +27,6 @@ struct Texture {
     int index = -1;
     TextureSpace space;
 };
-
-double numberOf(const tinygltf::Value& value, double otherwise)
-{
-    return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
-}
-
-int indexOf(const tinygltf::Value& value, int otherwise)
-{
-    const double number = numberOf(value, double(otherwise));
-    return number >= -1.0 && number < 1e9 ? int(number) : otherwise;
-}
-
-const tinygltf::Value& member(const tinygltf::Value& object, const char* key)
-{
-    static const tinygltf::Value none;
-    return object.IsObject() && object.Has(key) ? object.Get(key) : none;
-}
 
 double element(const tinygltf::Value& list, int i, double otherwise)
 {
@@ -101,21 +87,22 @@ private:
     {
         m_material = {uniqueName(material.name), {}};
         m_space.reset();
+        m_firstTexture = -1;
         m_setsDiffer = m_transformsDiffer = false;
         const auto& pbr = material.pbrMetallicRoughness;
-        const auto older = material.extensions.find("KHR_materials_pbrSpecularGlossiness");
+        const auto older = material.extensions.find(kSpecularGlossinessExtension);
         const bool hasOlder = older != material.extensions.end();
         const Texture color
             = hasOlder && pbr.baseColorTexture.index < 0 ? textureIn(older->second, "diffuseTexture") : textureOf(pbr.baseColorTexture);
         put(MapKind::Color, color);
         if (material.alphaMode == "MASK" || material.alphaMode == "BLEND")
-            put(MapKind::Opacity, color, Channel::A);
+            putAlpha(MapKind::Opacity, color);
         put(MapKind::Normal, textureOf(material.normalTexture));
         put(MapKind::Roughness, textureOf(pbr.metallicRoughnessTexture), Channel::G);
         put(MapKind::Metallic, textureOf(pbr.metallicRoughnessTexture), Channel::B);
         if (hasOlder) {
             put(MapKind::Specular, textureIn(older->second, "specularGlossinessTexture"));
-            put(MapKind::Gloss, textureIn(older->second, "specularGlossinessTexture"), Channel::A);
+            putAlpha(MapKind::Gloss, textureIn(older->second, "specularGlossinessTexture"));
         }
         put(MapKind::AmbientOcclusion, textureOf(material.occlusionTexture), Channel::R);
         put(MapKind::Emission, textureOf(material.emissiveTexture));
@@ -133,17 +120,39 @@ private:
             return float(i < values.size() ? values[i] : otherwise);
         };
         MeshFactors factors;
+        factors.clamped = wrapOf(m_model, m_firstTexture) == GltfWrap::Clamp;
         float brightest = 0.f;
         for (int i = 0; i < 3; ++i) {
             factors.color[i] = channel(pbr.baseColorFactor, std::size_t(i), 1.0);
             brightest = std::max(brightest, channel(material.emissiveFactor, std::size_t(i), 0.0));
         }
         factors.roughness = float(pbr.roughnessFactor), factors.metallic = float(pbr.metallicFactor);
+        if (isSpecularGlossiness(material))
+            takeOlderFactors(material.extensions.at(kSpecularGlossinessExtension), factors);
         factors.normal = float(material.normalTexture.scale), factors.occlusion = float(material.occlusionTexture.strength);
         const auto brighter = material.extensions.find(kBrighterExtension);
         factors.emission
             = brightest * float(brighter == material.extensions.end() ? 1.0 : numberOf(member(brighter->second, "emissiveStrength"), 1.0));
         m_material.factors = factors;
+    }
+
+    // KHR_materials_pbrSpecularGlossiness. A gloss map is shown as it is: roughness multiplies 1 - gloss, which no factor of gloss does.
+    void takeOlderFactors(const tinygltf::Value& older, MeshFactors& factors)
+    {
+        const tinygltf::Value &diffuse = member(older, "diffuseFactor"), &specular = member(older, "specularFactor");
+        float strength = 0.f;
+        for (int i = 0; i < 3; ++i) {
+            factors.color[i] = float(element(diffuse, i, 1.0));
+            strength = std::max(strength, float(element(specular, i, 1.0)));
+        }
+        const double gloss = numberOf(member(older, "glossinessFactor"), 1.0);
+        const bool hasMap = !m_material.maps[std::size_t(MapKind::Gloss)].empty();
+        factors.roughness = hasMap ? 1.f : float(1.0 - std::clamp(gloss, 0.0, 1.0));
+        factors.metallic = 0.f;
+        factors.specular = strength;
+        if (hasMap && gloss != 1.0)
+            m_read.warnings.push_back(
+                {"gloss-factor", "The material \"" + m_material.name + "\" multiplies its gloss map by a factor, which is not followed."});
     }
 
     // Our own extension: what an export of this program wrote is read again.
@@ -187,11 +196,27 @@ private:
         if (texture.index < 0)
             return;
         if (!m_space)
-            m_space = texture.space;
+            m_space = texture.space, m_firstTexture = texture.index;
         m_setsDiffer |= m_space->set != texture.space.set;
         m_transformsDiffer |= m_space->uvFromSet != texture.space.uvFromSet;
         if (const std::optional<std::string> file = pictureOf(texture.index))
             m_material.maps[std::size_t(kind)] = {*file, channel, false};
+    }
+
+    // A picture without alpha is opaque everywhere: there is no map to read. One that cannot be read is told when it is loaded.
+    void putAlpha(MapKind kind, const Texture& texture)
+    {
+        put(kind, texture, Channel::A);
+        MapSlot& slot = m_material.maps[std::size_t(kind)];
+        if (slot.empty())
+            return;
+        const auto [known, isNew] = m_opaque.try_emplace(slot.file, false);
+        if (isNew) {
+            const Expected<ImageInfo> info = readImageInfo(slot.file);
+            known->second = info && info->channels % 2 == 1;
+        }
+        if (known->second)
+            slot = {};
     }
 
     std::optional<std::string> missing(const std::string& what)
@@ -229,9 +254,11 @@ private:
     const fs::path& m_file;
     GltfMaterials m_read;
     std::set<std::string> m_names, m_told; // of materials, and texts of warnings
+    std::map<std::string, bool> m_opaque; // pictures whose alpha was asked for: whether they have none
     std::map<std::string, int> m_lastNumber; // behind the names that several materials share
     MeshMaterial m_material; // the one at work, its space and whether its pictures agree on it
     std::optional<TextureSpace> m_space;
+    int m_firstTexture = -1; // whose space that is
     bool m_setsDiffer = false, m_transformsDiffer = false;
 };
 } // namespace

@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gltf/gltf_document.h"
 #include "core/mesh/animation/gltf_deformation.h"
+#include "core/mesh/compression/gltf_compression.h"
 #include "core/mesh/readers/gltf_materials.h"
+#include "core/mesh/readers/gltf_not_shown.h"
 #include "core/mesh/readers/gltf_primitive.h"
 #include "core/mesh/readers/raw_mesh.h"
 #include <algorithm>
@@ -50,6 +52,8 @@ public:
         if (m_instanced > 0)
             m_raw.warn("instances-skipped",
                 std::to_string(m_instanced) + " nodes show copies of their mesh (EXT_mesh_gpu_instancing); one of each is shown.");
+        if (std::optional<Warning> losses = notShown(m_model))
+            m_raw.warnings.push_back(std::move(*losses));
         m_raw.moves = m_deformation.finished(m_raw.warnings);
         m_raw.materials = std::move(m_materials.materials);
         m_raw.warnings.insert(m_raw.warnings.end(), m_materials.warnings.begin(), m_materials.warnings.end());
@@ -256,6 +260,8 @@ Expected<RawMesh> readGltf(const std::filesystem::path& file, const Progress& pr
     Expected<GltfDocument> document = loadGltf(file);
     if (!document)
         return tl::unexpected(document.error());
+    if (const Expected<void> done = decompress(document->model, file.string(), progress); !done)
+        return tl::unexpected(done.error());
     progress.at(0.3f);
     Expected<RawMesh> raw = Gatherer(document->model, file.string(), progress).gather();
     if (raw)

@@ -1,6 +1,7 @@
 // Wavefront MTL: which pictures a material of an OBJ file names.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/gltf/gltf_uri.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/file.h"
 #include "core/ground/text.h"
@@ -76,6 +77,11 @@ std::string_view spacesTrimmed(std::string_view text)
     return text.substr(from, text.find_last_not_of(" \t\r") + 1 - from);
 }
 
+std::string unquoted(std::string name)
+{
+    return name.size() > 1 && name.front() == '"' && name.back() == '"' ? name.substr(1, name.size() - 2) : name;
+}
+
 bool isNeutral(const OptionRow& row, int at, std::string_view word)
 {
     TextCursor neutrals(row.neutral);
@@ -112,10 +118,21 @@ TextureLine textureLine(std::string_view text)
         }
         text = ahead.rest();
     }
-    line.file = spacesTrimmed(text);
-    if (line.file.size() > 1 && line.file.front() == '"' && line.file.back() == '"')
-        line.file = line.file.substr(1, line.file.size() - 2);
+    line.file = unquoted(std::string(spacesTrimmed(text)));
     return line;
+}
+
+// The names of a mtllib line that is no name as a whole: words, of which quoted ones may hold spaces.
+std::vector<std::string> namesIn(std::string_view line)
+{
+    std::vector<std::string> names;
+    while (!(line = spacesTrimmed(line)).empty()) {
+        const std::size_t quote = line.front() == '"' ? line.find('"', 1) : line.npos;
+        const std::size_t end = quote != line.npos ? quote + 1 : std::min(line.find_first_of(" \t"), line.size());
+        names.push_back(unquoted(std::string(line.substr(0, end))));
+        line.remove_prefix(end);
+    }
+    return names;
 }
 
 class MtlParser {
@@ -151,7 +168,9 @@ private:
     {
         if (line.file.empty())
             return;
-        const std::optional<fs::path> file = findPicture(m_folders, line.file);
+        std::optional<fs::path> file = findPicture(m_folders, line.file);
+        if (!file) // some exporters write names as in the web: my%20scan.png
+            file = findPicture(m_folders, percentDecoded(line.file));
         if (!file) {
             m_warnings.push_back({"map-missing",
                 "The material \"" + material.name + "\" names the picture " + shownName(line.file)
@@ -202,13 +221,12 @@ std::vector<MeshMaterial> readMtl(const fs::path& obj, std::span<const std::stri
     for (const std::string& name : names) {
         if (!namesSeen.insert(name).second)
             continue;
-        if (const std::optional<fs::path> whole = findPicture({folder}, name)) { // a name with spaces
+        if (const std::optional<fs::path> whole = findPicture({folder}, unquoted(name))) { // a name with spaces
             readOne(*whole);
             continue;
         }
-        TextCursor words(name);
-        for (std::string_view word = words.word(); !word.empty(); word = words.word())
-            if (const std::optional<fs::path> found = findPicture({folder}, std::string(word)))
+        for (const std::string& one : namesIn(name))
+            if (const std::optional<fs::path> found = findPicture({folder}, one))
                 readOne(*found);
             else
                 warnings.push_back({"material-missing",

@@ -148,7 +148,7 @@ TEST(ImageFile, LayersAreNamed)
     const auto read = readImage(folder / "x.exr");
     ASSERT_TRUE(read) << message(read.error());
     EXPECT_EQ(read->image.data, layers[0].image.data); // the first layer has plain names
-    EXPECT_TRUE(tells(read->warnings, "channels"));
+    EXPECT_TRUE(tells(read->warnings, "parts"));
 }
 
 TEST(ImageFile, LayersOfDifferentSizesAreRefused)

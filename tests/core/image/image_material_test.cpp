@@ -164,6 +164,33 @@ TEST(Material, ScalarMapsAreOneChannelAndInvertible)
     EXPECT_FLOAT_EQ(material->map(MapKind::Roughness)->value(2, 3, 0), 1 - packed.value(2, 3, 1));
 }
 
+// Nothing stands for an alpha that is not there.
+TEST(Material, ASlotThatReadsAlphaOfAnOpaquePictureIsLeftOut)
+{
+    const TemporaryFolder folder;
+    for (const int channels : {1, 3}) {
+        const Image opaque = noiseImage(kSize, kSize, channels, PixelType::U8);
+        ASSERT_TRUE(writeImage(folder / "c.png", opaque));
+        for (const MapKind kind : {MapKind::Opacity, MapKind::Height, MapKind::Gloss}) {
+            MapSlots slots;
+            slot(slots, MapKind::Color).file = (folder / "c.png").string();
+            slot(slots, kind) = {(folder / "c.png").string(), Channel::A, false};
+            const auto material = loadMaterial(slots);
+            ASSERT_TRUE(material);
+            EXPECT_FALSE(material->height);
+            EXPECT_EQ(material->map(kind), nullptr);
+            EXPECT_NE(material->map(MapKind::Color), nullptr);
+            EXPECT_TRUE(tells(material->warnings, "channel-missing"));
+            const TextureSet set = textureSetOf("c", slots, folder.path());
+            EXPECT_EQ(set.maps.size(), 1u);
+            EXPECT_TRUE(tells(set.warnings, "channel-missing"));
+        }
+        EXPECT_FALSE(loadOne(folder, "c.png", opaque, MapKind::Opacity, {"", Channel::A, false})); // nothing is left
+    }
+    const auto grey = loadOne(folder, "g.png", noiseImage(kSize, kSize, 2, PixelType::U8), MapKind::Opacity, {"", Channel::A, false});
+    EXPECT_TRUE(grey && grey->map(MapKind::Opacity));
+}
+
 TEST(Material, ColoursAreThreeChannels)
 {
     const TemporaryFolder folder;

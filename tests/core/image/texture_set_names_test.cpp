@@ -315,3 +315,48 @@ TEST(TextureSetNames, MapKindsAreFoundByKey)
     EXPECT_EQ(findMapKind("ao"), MapKind::AmbientOcclusion);
     EXPECT_FALSE(findMapKind("aoo"));
 }
+
+// German, French, Spanish, Japanese, in the forms and cases that file systems have.
+TEST(TextureSetNames, WordsOfOtherLanguages)
+{
+    const auto kindOf = [](const std::string& name) {
+        const NameGuess guess = guessFromName(name);
+        return guess.roles.size() == 1 ? std::string(row(guess.roles[0].kind).key) + ' ' + guess.title : "none";
+    };
+    EXPECT_EQ(kindOf("Mauer_H\xc3\xb6he"), "height Mauer");
+    EXPECT_EQ(kindOf("Mauer_Ho\xcc\x88he"), "height Mauer"); // o and its dots apart
+    EXPECT_EQ(kindOf("MAUER_H\xc3\x96HE"), "height MAUER");
+    EXPECT_EQ(kindOf("Mauer-Hoehe"), "height Mauer");
+    EXPECT_EQ(kindOf("Mauer_Farbe"), "color Mauer");
+    EXPECT_EQ(kindOf("Mauer_Rauheit"), "roughness Mauer");
+    EXPECT_EQ(kindOf("mur_hauteur"), "height mur");
+    EXPECT_EQ(kindOf("mur_couleur"), "color mur");
+    EXPECT_EQ(kindOf("mur_rugosit\xc3\xa9"), "roughness mur");
+    EXPECT_EQ(kindOf("muro_altura"), "height muro");
+    EXPECT_EQ(kindOf("muro_normales"), "normal muro");
+    EXPECT_EQ(kindOf("\xe7\x9f\xb3_\xe8\x89\xb2"), "color \xe7\x9f\xb3");
+    EXPECT_EQ(kindOf("\xe7\x9f\xb3_\xe9\xab\x98\xe3\x81\x95"), "height \xe7\x9f\xb3");
+    EXPECT_EQ(kindOf("\xe7\x9f\xb3_\xe6\xb3\x95\xe7\xb7\x9a"), "normal \xe7\x9f\xb3");
+    EXPECT_EQ(guessFromName("Mauer_Tiefe").convention, Convention::Depth);
+    EXPECT_EQ(guessFromName("mur_profondeur").convention, Convention::Depth);
+}
+
+TEST(TextureSetNames, AnImageWithoutKindIsTheColourBesideANormalMapOfItsName)
+{
+    const std::vector<std::filesystem::path> files = {"/x/wall.png", "/x/wall_n.png", "/x/other.png"};
+    const std::vector<FileGroup> groups = groupFiles(files);
+    ASSERT_FALSE(groups.empty());
+    EXPECT_TRUE(groups[0].holds(MapKind::Normal));
+    EXPECT_TRUE(groups[0].contains("/x/wall.png"));
+    EXPECT_FALSE(groups[0].contains("/x/other.png"));
+    EXPECT_EQ(groupFiles(std::vector<std::filesystem::path>{"/x/wall_n.png", "/x/other.png"})[0].kinds(), 0); // a letter alone says nothing
+    EXPECT_EQ(groupFiles(std::vector<std::filesystem::path>{"/x/n.png", "/x/1x5.png"})[0].kinds(), 0); // these share no name
+}
+
+TEST(TextureSetNames, UdimTilesAreNumbersFrom1001)
+{
+    EXPECT_EQ(udimTile("wall_height.1001")->number, 1001);
+    EXPECT_EQ(udimTile("wall_height_1012")->base, "wall_height_");
+    for (const char* name : {"wall_height_1k", "wall_2048", "wall_1000", "wall1001", "1001", "wall_11001", "wall_height"})
+        EXPECT_FALSE(udimTile(name)) << name;
+}

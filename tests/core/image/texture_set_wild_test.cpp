@@ -200,3 +200,22 @@ TEST(WildSet, DotsAfterALinkLeadToWhereItPoints)
     ASSERT_TRUE(set) << message(set.error());
     EXPECT_EQ(fs::canonical(set->maps[0].file), fs::canonical(folder / "far/rock_height.png"));
 }
+
+TEST(WildSet, UdimTilesAreToldAsSuch)
+{
+    const TemporaryFolder folder;
+    for (const char* tile : {"1001", "1002", "1011"}) {
+        ASSERT_TRUE(writeImage(folder / ("wall_height." + std::string(tile) + ".png"), hillHeights(kSize, PixelType::U8)));
+        ASSERT_TRUE(writeImage(folder / ("wall_color." + std::string(tile) + ".png"), noiseImage(kSize, kSize, 3, PixelType::U8)));
+    }
+    for (const std::filesystem::path& source : {folder.path(), folder / "wall_height.1002.png"}) {
+        const auto set = openTextureSet(source);
+        ASSERT_TRUE(set) << message(set.error());
+        ASSERT_EQ(set->maps.size(), 2u);
+        EXPECT_TRUE(tells(set->warnings, "udim"));
+        EXPECT_FALSE(tells(set->warnings, "several-sets"));
+        const std::string tile = source == folder.path() ? "1001" : "1002";
+        for (const FoundMap& map : set->maps)
+            EXPECT_NE(map.file.string().find(tile), std::string::npos) << map.file;
+    }
+}

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gltf/pictures.h"
 #include "core/image/files/image_file.h"
+#include "tests/core/image/image_support.h"
 #include "tests/core/mesh/mesh_support.h"
 
 using namespace relievo;
@@ -229,6 +230,38 @@ TEST(MeshMaterials, DifferentTransformsAreTold)
     EXPECT_NEAR(mesh->metresPerUV, 0.5f, 1e-5f);
 }
 
+namespace {
+// texturedQuad with a picture of so many channels inside the file.
+std::string quadWithPicture(const std::string& material, int channels)
+{
+    const Image image = test::noiseImage(8, 8, channels, PixelType::U8);
+    const auto png = encodePng(image);
+    const std::string bytes(reinterpret_cast<const char*>(png->data()), png->size()), name = "x%20y.png";
+    std::string text = texturedQuad(material);
+    return text.replace(text.find(name), name.size(), "data:image/png;base64," + GltfBuffer::base64(bytes));
+}
+} // namespace
+
+// A colour channel in place of an alpha that is not there would be another map: such a picture is opaque everywhere.
+TEST(MeshMaterials, OpacityAndGlossAreReadFromAlphaOnly)
+{
+    const std::string blend = R"({"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})",
+                      mask = R"({"alphaMode":"MASK","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})",
+                      shiny = R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{"specularGlossinessTexture":{"index":0}}}})";
+    const Scratch scratch;
+    for (const int channels : {1, 2, 3, 4})
+        for (const auto& [text, kind] :
+            {std::pair(blend, MapKind::Opacity), std::pair(mask, MapKind::Opacity), std::pair(shiny, MapKind::Gloss)}) {
+            const Expected<Mesh> inside = openMesh(scratch.write("a.gltf", quadWithPicture(text, channels)));
+            ASSERT_TRUE(inside) << message(inside.error());
+            EXPECT_EQ(slot(inside->materials[0], kind).empty(), channels % 2 == 1) << text << channels;
+            ASSERT_TRUE(writeImage(scratch.path / "x y.png", test::noiseImage(8, 8, channels == 2 ? 4 : channels, PixelType::U8)));
+            const Expected<Mesh> beside = openMesh(scratch.write("a.gltf", texturedQuad(text)));
+            ASSERT_TRUE(beside);
+            EXPECT_EQ(slot(beside->materials[0], kind).empty(), channels % 2 == 1) << text << channels;
+        }
+}
+
 TEST(MeshMaterials, TheUVSetOfItsTexturesIsUsedAndTold)
 {
     const Expected<Mesh> mesh = opened("a.gltf", texturedQuad(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}}})"));
@@ -243,6 +276,99 @@ TEST(MeshMaterials, TheUVSetOfItsTexturesIsUsedAndTold)
     const Expected<Mesh> absent = opened("a.gltf", texturedQuad(R"({"normalTexture":{"index":0,"texCoord":7}})"));
     ASSERT_TRUE(absent);
     EXPECT_TRUE(absent->fileHasUVs);
+}
+
+TEST(MeshMaterials, QuotedNamesHoldSpacesAndNamesOfCodePagesAreFound)
+{
+    const Scratch scratch;
+    scratch.write("my scan.png", "x");
+    scratch.write("Gr\xc3\xb6\xc3\x9f"
+                  "e.png",
+        "x");
+    scratch.write("my scan.mtl",
+        "newmtl stone\nmap_Pr my%20scan.png\nmap_Kd \"my scan.png\"\nmap_Bump Gr\xf6\xdf"
+        "e.png\r\n");
+    scratch.write("two.mtl", "newmtl other\n");
+    for (const std::string line : {"\"my scan.mtl\"", "my scan.mtl", "\"my scan.mtl\" two.mtl", "two.mtl \"my scan.mtl\""}) {
+        std::string text = kTriangle;
+        text.replace(text.find("a.mtl"), 5, line);
+        const Expected<Mesh> mesh = openMesh(scratch.write("a.obj", text));
+        ASSERT_TRUE(mesh) << message(mesh.error());
+        const auto stone = std::ranges::find(mesh->materials, "stone", &MeshMaterial::name);
+        ASSERT_NE(stone, mesh->materials.end()) << line;
+        EXPECT_EQ(slot(*stone, MapKind::Color).file, (scratch.path / "my scan.png").string());
+        EXPECT_EQ(slot(*stone, MapKind::Roughness).file, (scratch.path / "my scan.png").string());
+        EXPECT_EQ(slot(*stone, MapKind::Height).file,
+            (scratch.path
+                / "Gr\xc3\xb6\xc3\x9f"
+                  "e.png")
+                .string());
+        EXPECT_FALSE(told(*mesh, "material-missing") || told(*mesh, "map-missing"));
+    }
+}
+
+TEST(MeshMaterials, SpecularGlossinessIsConverted)
+{
+    const auto factorsOf = [](const std::string& inside) {
+        const Expected<Mesh> mesh
+            = opened("a.gltf", texturedQuad(R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{)" + inside + "}}}"));
+        return mesh->materials[0].factors.value();
+    };
+    const MeshFactors plain = factorsOf(R"("diffuseFactor":[0.5,1,0.25,1],"glossinessFactor":0.75,"specularFactor":[0.1,0.2,0.3])");
+    EXPECT_EQ(plain.color, glm::vec3(0.5f, 1.f, 0.25f));
+    EXPECT_FLOAT_EQ(plain.roughness, 0.25f);
+    EXPECT_EQ(plain.metallic, 0.f);
+    EXPECT_FLOAT_EQ(plain.specular.value(), 0.3f);
+    EXPECT_EQ(factorsOf("").roughness, 0.f); // as glossy as can be, when it is not told
+    const Expected<Mesh> newer = opened("a.gltf",
+        texturedQuad(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"roughnessFactor":0.4},"extensions":)"
+                     R"({"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0,0,0,1]}}})"));
+    EXPECT_EQ(newer->materials[0].factors->color, glm::vec3(1.f)); // metallic-roughness is what is shown
+    EXPECT_FLOAT_EQ(newer->materials[0].factors->roughness, 0.4f);
+}
+
+namespace {
+// texturedQuad whose picture is sampled so: WebGL's 33071 clamps, 33648 mirrors, 10497 repeats.
+std::string sampledQuad(int across, int down)
+{
+    std::string text = texturedQuad(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})");
+    const std::string from = "\"textures\":[{\"source\":0}]";
+    return text.replace(text.find(from), from.size(),
+        "\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{\"wrapS\":" + std::to_string(across)
+            + ",\"wrapT\":" + std::to_string(down) + "}]");
+}
+} // namespace
+
+TEST(MeshMaterials, SamplersThatClampAreFollowedAndOthersTold)
+{
+    for (const auto& [across, down, clamps, tells] : {std::tuple(33071, 33071, true, false), std::tuple(10497, 10497, false, false),
+             std::tuple(33648, 33648, false, true), std::tuple(10497, 33071, false, true)}) {
+        const Expected<Mesh> mesh = opened("a.gltf", sampledQuad(across, down));
+        ASSERT_TRUE(mesh) << message(mesh.error());
+        EXPECT_EQ(mesh->materials[0].factors->clamped, clamps);
+        EXPECT_EQ(told(*mesh, "not-shown"), tells) << across << ' ' << down;
+    }
+}
+
+TEST(MeshMaterials, WhatIsNotShownIsToldOnce)
+{
+    const Expected<Mesh> mesh = opened("a.gltf",
+        texturedQuad(R"({"alphaMode":"BLEND","emissiveFactor":[1,0,0],"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]},"extensions":)"
+                     R"({"KHR_materials_unlit":{},"KHR_materials_clearcoat":{"clearcoatFactor":1},"KHR_materials_sheen":{},)"
+                     R"("KHR_materials_transmission":{"transmissionFactor":0.7},"KHR_materials_ior":{"ior":1.33},"XYZ_new":{}}})"));
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(std::ranges::count(mesh->warnings, "not-shown", &Warning::code), 1);
+    const std::string text = std::ranges::find(mesh->warnings, "not-shown", &Warning::code)->text;
+    for (const char* word : {"unlit", "clear coat", "sheen", "transmission", "index of refraction", "XYZ_new", "transparency", "emission"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << ": " << text;
+    const Expected<Mesh> plain = opened("a.gltf",
+        texturedQuad(R"({"extensions":{"KHR_materials_clearcoat":{"clearcoatFactor":0},"KHR_materials_ior":{"ior":1.5},)"
+                     R"("KHR_materials_emissive_strength":{"emissiveStrength":2}}})"));
+    EXPECT_FALSE(told(*plain, "not-shown"));
+    std::string coloured = texturedQuad("{}");
+    const std::string from = "\"POSITION\":0";
+    coloured.replace(coloured.find(from), from.size(), "\"POSITION\":0,\"COLOR_0\":3");
+    EXPECT_TRUE(told(*opened("a.gltf", coloured), "not-shown"));
 }
 
 TEST(MeshMaterials, SameNamesAreToldApart)

@@ -123,7 +123,7 @@ TEST(Parameters, ClampingBringsNaNIntoRange)
 {
     const ParameterRow& depth = *findParameter("depth");
     EXPECT_EQ(clamped(depth, NAN), Value(0.f));
-    EXPECT_EQ(clamped(depth, 7.f), Value(0.5f));
+    EXPECT_EQ(clamped(depth, 7.f), Value(1.5f));
     EXPECT_FALSE(inRange(depth, NAN));
     EXPECT_TRUE(inRange(depth, 0.5f));
     EXPECT_EQ(clamped(*findParameter("minSteps"), 0), Value(1));

@@ -182,7 +182,7 @@ TEST(StateJson, UnknownKeysAndRangesAreToldByPlace)
     EXPECT_TRUE(warnsOf(read->warnings, "unknown-key", "camera.roll"));
     EXPECT_TRUE(warnsOf(read->warnings, "unknown-key", "maps.hight"));
     EXPECT_TRUE(warnsOf(read->warnings, "unknown-value", "maps.height.channel"));
-    EXPECT_EQ(read->state.parameters.depth, 0.5f);
+    EXPECT_EQ(read->state.parameters.depth, 1.5f);
     EXPECT_EQ(read->state.panes[0].technique, "relief");
     EXPECT_EQ(std::get<int>(read->state.panes[0].overrides.at("minSteps")), 1);
 }
