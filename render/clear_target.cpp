@@ -20,13 +20,18 @@ void bindTarget(const Target& target)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, target.width, target.height);
+    if (target.rows > 0) {
+        glScissor(0, target.firstRow, target.width, target.rows);
+        glEnable(GL_SCISSOR_TEST);
+    } else {
+        glDisable(GL_SCISSOR_TEST);
+    }
 }
 
 void clearTarget(const Parameters& parameters, const Target& target, bool heat)
 {
     bindTarget(target);
     glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_CULL_FACE);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS); // else the edges of the small levels show

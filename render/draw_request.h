@@ -19,6 +19,7 @@ struct Target {
     bool linear = false; // float values without exposure, tone curve and sRGB (for EXR); else display values
     float lineWidth = 1.f; // of the wireframe, pixels
     glm::vec2 jitter{0.f}; // shift of the picture in pixels, for averaging several into a smooth one; soft shadows turn with it
+    int firstRow = 0, rows = 0; // only these pixel rows, counted from below; 0 rows: all of them
     bool isPassing = false; // the picture lasts a moment: a mesh of more triangles than pixels may be drawn with fewer
 };
 

@@ -44,6 +44,7 @@ Expected<void> Renderer::draw(const DrawRequest& request)
     for (const PassRow& pass : kPasses)
         if (pass.isWanted(*frame))
             pass.draw(m->context, *frame);
+    glDisable(GL_SCISSOR_TEST);
     glActiveTexture(GL_TEXTURE0);
     glUseProgram(0);
     if (const auto sufficed = memorySufficed(); !sufficed) {

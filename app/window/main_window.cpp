@@ -46,6 +46,7 @@ MainWindow::MainWindow()
     m_page->restore(*this);
     showPanels(m_page->panelsShown());
     m_top->action(Action::LightTheme)->setChecked(savedLook() == Look::Light);
+    m_top->action(Action::Smoother)->setChecked(viewport().wantedSamples() > Viewport::kSamples);
     documentChanged(Changes(Change::Panes) | Change::View);
     updateTitle();
 }
@@ -95,6 +96,8 @@ void MainWindow::run(Action action, bool on)
         return moveActiveCamera(framed(cameraOf(m_document.state(), std::size_t(m_viewport->activePane()))));
     case Action::ResetCamera:
         return moveActiveCamera({});
+    case Action::Smoother:
+        return viewport().setWantedSamples(on ? Viewport::kMostSamples : Viewport::kSamples);
     case Action::LightTheme:
         return setLook(on ? Look::Light : Look::Dark);
     case Action::Panels:

@@ -19,8 +19,8 @@ struct PrismMachine : Machine, SceneUniforms {
 
     vec4 prismTexel(int i) const { return texels[i]; }
     Hit trace(Ray ray) { return search(*this, *maps, ray, curve).hit; }
-#include "shaders/view_ray/search_own.glsl"
 #include "shaders/view_ray/prisms.glsl"
+#include "shaders/view_ray/search_own.glsl"
 };
 struct ExactPrisms : PrismMachine {
     explicit ExactPrisms(const PrismMachine& prisms) : PrismMachine(prisms) { }

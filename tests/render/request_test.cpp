@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/passes.h"
 #include "tests/render/mesh_support.h"
+#include <epoxy/gl.h>
 
 using namespace relievo;
 using namespace relievo::test;
@@ -101,4 +102,39 @@ TEST(Kept, IsNeverStale)
         draw(used, state);
         EXPECT_EQ(draw(used, changed).data, draw(fresh, changed).data) << row.key;
     }
+}
+
+// A picture that is drawn in slices is the same, its shadow map too, which is not cut.
+TEST(Request, SlicesMakeTheWholePicture)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    constexpr int kWidth = 80, kHeight = 61;
+    State state = stateOn("spheres");
+    state.parameters.objectShadows = true;
+    const Resources resources = resourcesOf(state);
+    const auto drawn = [&](std::initializer_list<int> ends) {
+        Renderer renderer;
+        Framebuffer framebuffer;
+        EXPECT_TRUE(framebuffer.resize(kWidth, kHeight));
+        int row = 0;
+        for (const int end : ends) {
+            EXPECT_TRUE(renderer.draw({state, 0, resources,
+                {.framebuffer = framebuffer.handle(),
+                    .width = kWidth,
+                    .height = kHeight,
+                    .jitter = {0.2f, -0.3f},
+                    .firstRow = row,
+                    .rows = end - row}}));
+            row = end;
+        }
+        EXPECT_FALSE(glIsEnabled(GL_SCISSOR_TEST));
+        std::vector<unsigned char> pixels(kWidth * kHeight * 4);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.handle());
+        glReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+        return pixels;
+    };
+    const auto whole = drawn({kHeight});
+    EXPECT_EQ(drawn({7, 8, 40, kHeight}), whole);
+    EXPECT_NE(drawn({7}), whole);
 }

@@ -7,6 +7,7 @@
 #include "app/window/viewport/overlays.h"
 #include "core/state/views.h"
 #include "render/windowless.h"
+#include <QElapsedTimer>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ PanePictures::Picture& PanePictures::picture(std::size_t pane)
     return *std::next(m_pictures.begin(), std::ptrdiff_t(pane));
 }
 
-Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale, glm::vec2 shift)
+Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale)
 {
     Framebuffer& drawn = picture(pane).drawn;
     drawn.resize(scaled(area.width, scale), scaled(area.height, scale));
@@ -39,7 +40,6 @@ Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, con
             .width = drawn.width(),
             .height = drawn.height(),
             .lineWidth = float(std::max(1., scene.pixelRatio * scale)),
-            .jitter = shift,
             .isPassing = scale < 1.});
     if (scale >= 1.)
         request.compareWith(scene.reference.exactOf(pane));
@@ -50,10 +50,11 @@ std::vector<Error> PanePictures::draw(const ShownScene& scene, const std::vector
 {
     while (m_pictures.size() > areas.size()) // of panes that are gone
         m_pictures.pop_back();
+    m_slices.pane = 0, m_slices.row = 0;
     std::vector<Error> troubles;
     for (std::size_t pane = 0; pane < areas.size(); ++pane) {
         picture(pane).mean.restart();
-        const auto drawn = draw(scene, pane, areas[pane], scale, {});
+        const auto drawn = draw(scene, pane, areas[pane], scale);
         if (!drawn)
             troubles.push_back(drawn.error());
         if (!drawn && areas.size() > 1) // say in which
@@ -62,13 +63,43 @@ std::vector<Error> PanePictures::draw(const ShownScene& scene, const std::vector
     return troubles;
 }
 
-void PanePictures::addSamples(const ShownScene& scene, const std::vector<PaneArea>& areas)
+bool PanePictures::drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows)
 {
-    for (std::size_t pane = 0; pane < areas.size(); ++pane) {
-        Picture& own = picture(pane);
-        if (!scene.reference.isShown(pane) && draw(scene, pane, areas[pane], 1., own.mean.nextShift()))
-            own.mean.add(own.drawn);
-    }
+    own.sampled.resize(area.width, area.height);
+    const DrawRequest request(scene.state, m_slices.pane, scene.resources,
+        {.framebuffer = own.sampled.handle(),
+            .width = area.width,
+            .height = area.height,
+            .lineWidth = float(std::max(1., scene.pixelRatio)),
+            .jitter = own.mean.nextShift(),
+            .firstRow = m_slices.row,
+            .rows = rows});
+    const bool drawn = m_renderer.draw(request).has_value();
+    finishDrawing();
+    return drawn;
+}
+
+bool PanePictures::addSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms)
+{
+    const std::size_t pane = m_slices.pane;
+    const PaneArea& area = areas[pane];
+    Picture& own = picture(pane);
+    const int rows = std::clamp(int(ms * m_slices.rowsPerMs), 1, area.height - m_slices.row);
+    QElapsedTimer clock;
+    clock.start();
+    const bool goesOn = !scene.reference.isShown(pane) && drawSlice(scene, area, own, rows);
+    m_slices.row += rows;
+    if (goesOn)
+        m_slices.rowsPerMs = rows / std::max(0.01, double(clock.nsecsElapsed()) * 1e-6);
+    if (goesOn && m_slices.row < area.height)
+        return false;
+    if (goesOn)
+        own.mean.add(own.sampled);
+    m_slices.row = 0, ++m_slices.pane;
+    if (m_slices.pane < areas.size())
+        return false;
+    m_slices.pane = 0;
+    return true;
 }
 
 int PanePictures::samples() const

@@ -27,9 +27,9 @@ class PanePictures {
 public:
     // A new picture of each pane at a share of its full resolution along each side; averaging begins anew. Says what could not be drawn.
     std::vector<Error> draw(const ShownScene& scene, const std::vector<PaneArea>& areas, double scale);
-    // One more picture, shifted below a pixel, for the mean of each pane at full resolution; not where it is compared with an exact answer,
-    // which is of the unshifted picture.
-    void addSamples(const ShownScene& scene, const std::vector<PaneArea>& areas);
+    // A slice more of the next picture, shifted below a pixel, for the mean of each pane at full resolution; not where it is compared with
+    // an exact answer, which is of the unshifted picture. A slice takes about `ms`. Whether it was the last one of the last pane's picture.
+    bool addSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms);
     int samples() const; // averaged in what is shown, of the pane that has most; 0: as the pixels fall
 
     // Copies what was drawn into a framebuffer `height` pixels high.
@@ -44,13 +44,20 @@ public:
 
 private:
     struct Picture {
-        Framebuffer drawn;
+        Framebuffer drawn, sampled; // `sampled` is drawn slice by slice
         Smoother mean;
     };
+    struct Slices {
+        std::size_t pane = 0; // that is being drawn
+        int row = 0; // up to which it is
+        double rowsPerMs = 1.; // as the last slice took
+    };
     Picture& picture(std::size_t pane);
-    Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale, glm::vec2 shift);
+    Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale);
+    bool drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows);
     std::optional<ErrorNumbers> errorOf(const ShownScene& scene, std::size_t pane, const PaneArea& area);
     Renderer m_renderer;
+    Slices m_slices;
     std::list<Picture> m_pictures; // of the panes in order; these do not move in memory
 };
 

@@ -5,6 +5,7 @@
 #include "app/window/viewport/gl_calls.h"
 #include <QElapsedTimer>
 #include <QScopeGuard>
+#include <QSettings>
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,9 @@ namespace relievo {
 namespace {
 constexpr int kRestDelay = 100; // ms without a move until the full picture
 constexpr int kMeasureDelay = 60; // ms from the full picture to the counting of fetches
-constexpr int kSmoothLimit = 400; // ms that one more picture may keep the hand waiting
+constexpr double kSlice = 25; // ms of smoothing between two looks at what the hand does
+constexpr int kSmoothLimit = 10000; // ms of smoothing, after which the least will do
+constexpr const char* kSamplesKey = "viewport/samples";
 } // namespace
 
 Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidget* parent)
@@ -54,7 +57,15 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
         if (movedCamera && m_moving)
             refresh(false);
     });
+    m_wantedSamples = std::clamp(QSettings().value(kSamplesKey, kSamples).toInt(), kLeastSamples, kMostSamples);
     updateOverlays();
+}
+
+void Viewport::setWantedSamples(int samples)
+{
+    m_wantedSamples = std::clamp(samples, kLeastSamples, kMostSamples);
+    QSettings().setValue(kSamplesKey, m_wantedSamples);
+    refresh(false);
 }
 
 Viewport::~Viewport()
@@ -164,21 +175,22 @@ void Viewport::drawn(const QList<Message>& troubles)
     updateOverlays();
 }
 
-// One more shifted picture; the hand is heard between any two.
+// A slice more of the shifted pictures; the hand is heard between any two. What is shown changes when twice as many have been averaged.
 void Viewport::smooth()
 {
     if (m_stale || !m_pictures)
         return;
-    QElapsedTimer clock;
-    clock.start();
     makeCurrent();
-    m_pictures->addSamples(scene(), areas());
+    const bool isWhole = m_pictures->addSlice(scene(), areas(), kSlice);
     doneCurrent();
-    if (smoothSamples() == 0)
+    const int samples = smoothSamples();
+    if (isWhole && samples == 0) // of no pane
         return;
-    if (smoothSamples() < kSmoothSamples && clock.elapsed() < kSmoothLimit)
+    const bool isEnough = samples >= m_wantedSamples || (samples >= kLeastSamples && m_sinceRest.elapsed() > kSmoothLimit);
+    if (!isWhole || !isEnough)
         m_smoothing.start(0);
-    update();
+    if (isWhole && (isEnough || (samples & (samples - 1)) == 0))
+        update();
 }
 
 // Counts the fetches of what is shown, then smooths the edges.
@@ -192,6 +204,7 @@ void Viewport::measure()
     doneCurrent();
     updateOverlays();
     m_reference->want(all);
+    m_sinceRest.start();
     m_smoothing.start(0);
 }
 
@@ -201,7 +214,7 @@ QImage Viewport::picture()
         return {};
     makeCurrent();
     const auto done = qScopeGuard([this] { doneCurrent(); });
-    return m_pictures->sheet(scene(), areas(), kSmoothSamples);
+    return m_pictures->sheet(scene(), areas(), kLeastSamples);
 }
 
 void Viewport::setActivePane(int pane)
