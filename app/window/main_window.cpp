@@ -7,6 +7,7 @@
 #include "app/window/document/files.h"
 #include "app/window/page.h"
 #include "app/window/panels/animation_bar.h"
+#include "app/window/panels/drop_note.h"
 #include "app/window/panels/map_panel.h"
 #include "app/window/panels/message_line.h"
 #include "app/window/panels/parameter_panel.h"
@@ -42,6 +43,7 @@ MainWindow::MainWindow()
     setAcceptDrops(true);
     setCentralWidget(m_page);
     setMenuWidget(m_top);
+    new DropNote(m_messages, this);
     connectAll();
     m_page->restore(*this);
     showPanels(m_page->panelsShown());

@@ -30,23 +30,28 @@ struct ExportRow {
     std::string_view label;
     std::string_view suffix; // ".glb"; "" when `out` is a folder
     Expected<Exported> (*run)(const ExportJob& job);
+    std::vector<std::filesystem::path> (*writes)(const ExportJob& job); // the files that `run` makes or replaces
     std::string_view help;
 };
 
-// What the material was opened from is never written over: an error when `file` is one of the State's own, of the mesh's
-// pictures or of what else was read.
+// Folders that are missing are made. What the material was opened from is never written over: an error when `file` is one of the State's
+// own, of the mesh's pictures or of what else was read.
 Expected<void> refuseToOverwriteSources(const ExportJob& job, const std::filesystem::path& file);
 
 Expected<Exported> exportGltf(const ExportJob& job);
 Expected<Exported> exportTextures(const ExportJob& job);
 Expected<Exported> exportPreset(const ExportJob& job);
+std::vector<std::filesystem::path> filesOfGltf(const ExportJob& job);
+std::vector<std::filesystem::path> filesOfTextures(const ExportJob& job);
+std::vector<std::filesystem::path> filesOfPreset(const ExportJob& job);
 
 inline constexpr auto kExports = std::to_array<ExportRow>({
-    {"gltf", "glTF binary", ".glb", exportGltf,
+    {"gltf", "glTF binary", ".glb", exportGltf, filesOfGltf,
         "Mesh and material in one file: base color, normal, packed occlusion-roughness-metallic, height in RELIEVO_materials_relief."},
-    {"textures", "Texture folder", "", exportTextures,
+    {"textures", "Texture folder", "", exportTextures, filesOfTextures,
         "Each map as its own file, height at 16 bits, and relief.json with the physical depth."},
-    {"preset", "Relievo preset", ".json", exportPreset, "The material's parameters without its files: a partial State for --preset."},
+    {"preset", "Relievo preset", ".json", exportPreset, filesOfPreset,
+        "The material's parameters without its files, to be laid on other materials."},
 });
 
 const ExportRow* findExport(std::string_view key); // nullptr when unknown

@@ -55,7 +55,7 @@ Expected<std::vector<std::byte>> GlbFile::bytes(const std::string& where)
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t total = 12 + 8 + text.size() + 8 + m_binary.size();
     if (total > 0xffffffffu)
-        return failure(where, "a .glb cannot hold more than 4 GiB", "Export smaller textures with --size");
+        return failure(where, "a .glb cannot hold more than 4 GiB", "Export smaller textures");
     std::vector<std::byte> file;
     file.reserve(total);
     for (const std::uint32_t word : {0x46546C67u, 2u, std::uint32_t(total), std::uint32_t(text.size()), 0x4E4F534Au})

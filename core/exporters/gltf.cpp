@@ -46,6 +46,8 @@ Expected<std::vector<fs::path>> writeFiles(const ExportJob& job, const std::vect
     if (Expected<void> free = refuseToOverwriteSources(job, job.out); !free)
         return tl::unexpected(free.error());
     NewFiles made;
+    if (Expected<void> folder = made.makeFolder(job.out.parent_path()); !folder)
+        return tl::unexpected(folder.error());
     made.willMake(job.out);
     if (Expected<void> written = writeAtomically(job.out, glb); !written)
         return tl::unexpected(written.error());
@@ -61,6 +63,14 @@ Expected<std::vector<fs::path>> writeFiles(const ExportJob& job, const std::vect
     return files;
 }
 } // namespace
+
+std::vector<fs::path> filesOfGltf(const ExportJob& job)
+{
+    std::vector<fs::path> files{job.out};
+    if (job.resources.material->height)
+        files.push_back(heightBeside(job));
+    return files;
+}
 
 Expected<Exported> exportGltf(const ExportJob& job)
 {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/ground/error.h"
 #include <filesystem>
 #include <vector>
 
@@ -25,15 +26,25 @@ public:
         if (!std::filesystem::exists(path, code))
             m_paths.push_back(path);
     }
+    // Makes the folder and those above it that are missing.
+    Expected<void> makeFolder(const std::filesystem::path& folder)
+    {
+        std::error_code code;
+        willMakeFolders(folder);
+        std::filesystem::create_directories(folder, code);
+        if (!folder.empty() && !std::filesystem::is_directory(folder, code))
+            return failure(ErrorCode::NotWritable, folder.string(), "the folder cannot be made", "Choose a folder that you may write to");
+        return {};
+    }
+    void keep() { m_paths.clear(); }
+
+private:
     void willMakeFolders(const std::filesystem::path& folder) // it and those above it
     {
         if (folder.has_parent_path() && folder.parent_path() != folder)
             willMakeFolders(folder.parent_path());
         willMake(folder);
     }
-    void keep() { m_paths.clear(); }
-
-private:
     std::vector<std::filesystem::path> m_paths;
 };
 

@@ -55,14 +55,20 @@ struct MapFile {
     const MapKindRow* kind;
     fs::path path;
 };
-// Where the material's maps go; an error when that is where one was read.
-Expected<std::vector<MapFile>> filesOf(const ExportJob& job)
+std::vector<MapFile> mapFilesOf(const ExportJob& job)
 {
     std::vector<MapFile> files;
     const std::string stem = fileStem(job.state.name);
     for (const MapKindRow& kind : kMapKinds)
         if (isWritten(kind.kind, *job.resources.material))
             files.push_back({&kind, job.out / (stem + '_' + std::string(kind.fileName) + ".png")});
+    return files;
+}
+
+// Where the material's maps go; an error when that is where one was read.
+Expected<std::vector<MapFile>> checkedFilesOf(const ExportJob& job)
+{
+    std::vector<MapFile> files = mapFilesOf(job);
     if (files.empty())
         return failure(job.out.string(), "the material has no maps to write", "Open a texture set first");
     for (const MapFile& file : files)
@@ -92,18 +98,23 @@ Warnings lossesOf(const Material& material)
 }
 } // namespace
 
+std::vector<fs::path> filesOfTextures(const ExportJob& job)
+{
+    std::vector<fs::path> files{job.out / "relief.json"};
+    for (const MapFile& file : mapFilesOf(job))
+        files.push_back(file.path);
+    return files;
+}
+
 // relief.json comes before the maps and says that it is not all, so that a folder left in the middle is seen to be one (kUnfinishedExport).
 Expected<Exported> exportTextures(const ExportJob& job)
 {
-    const Expected<std::vector<MapFile>> files = filesOf(job);
+    const Expected<std::vector<MapFile>> files = checkedFilesOf(job);
     if (!files)
         return tl::unexpected(files.error());
-    std::error_code code;
     NewFiles made;
-    made.willMakeFolders(job.out);
-    fs::create_directories(job.out, code);
-    if (!fs::is_directory(job.out, code))
-        return failure(job.out.string(), "the folder cannot be made", "Choose a folder that you may write to");
+    if (Expected<void> folder = made.makeFolder(job.out); !folder)
+        return tl::unexpected(folder.error());
     const Parameters parameters = effectiveParameters(job.state, 0);
     Json numbers = numbersOf(job, parameters), maps = Json::array();
     Json unfinished = numbers;

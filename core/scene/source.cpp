@@ -102,7 +102,7 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
         return tl::unexpected(mesh.error());
     const auto material = std::ranges::find_if(mesh->materials, [](const MeshMaterial& m) { return m.maps != MapSlots(); });
     if (material == mesh->materials.end())
-        return failure(file.string(), "this mesh brings no textures of its own", "Open a texture set and give the mesh by --mesh");
+        return failure(file.string(), "this mesh brings no textures of its own", "Open a texture set, and show it on this mesh");
     Opened opened{base, {}, {}};
     opened.state.mesh = file.string();
     opened.state.slots = material->maps;

@@ -92,6 +92,7 @@ QMessageBox* question(QWidget* parent, const char* name, const QString& text, co
     auto* box = new QMessageBox(parent);
     box->setObjectName(name);
     box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText); // names of files may look like marks
     box->setText(text);
     box->setInformativeText(more);
     return box;
@@ -107,6 +108,17 @@ void askToReplace(QWidget* parent, const QString& path, std::function<void()> th
     QPushButton* replace = box->addButton(QObject::tr("Replace"), QMessageBox::AcceptRole);
     box->setDefaultButton(box->addButton(QMessageBox::Cancel));
     QObject::connect(replace, &QPushButton::clicked, parent, std::move(then));
+    box->open();
+}
+
+void askToSaveElsewhere(QWidget* parent, const QString& text, std::function<void()> saveAs)
+{
+    auto* box = question(parent, "save-failed", QObject::tr("The project was not saved."), text);
+    box->setIcon(QMessageBox::NoIcon);
+    QPushButton* elsewhere = box->addButton(QObject::tr("Save as..."), QMessageBox::AcceptRole);
+    box->setDefaultButton(elsewhere);
+    box->addButton(QMessageBox::Cancel);
+    QObject::connect(elsewhere, &QPushButton::clicked, parent, std::move(saveAs));
     box->open();
 }
 

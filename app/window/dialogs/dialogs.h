@@ -24,6 +24,9 @@ void rememberSaved(const QString& file);
 // Asks whether what lies at `path` (a file, or files in a folder) may be replaced; `then` runs when it may.
 void askToReplace(QWidget* parent, const QString& path, std::function<void()> then);
 
+// Saving has failed, for the reason that `text` tells: it can go somewhere else.
+void askToSaveElsewhere(QWidget* parent, const QString& text, std::function<void()> saveAs);
+
 enum class Answer { Save, Discard, Cancel };
 // The question before work is lost: unsaved work of `name` ("" when all is saved) and what the sentence alsoLost says (or "").
 void askAboutUnsaved(QWidget* parent, const QString& name, const QString& alsoLost, std::function<void(Answer)> then);

@@ -140,15 +140,17 @@ void ExportDialog::run()
     const QString out = m_form->completePath(); // what is written is what is shown
     if (out.isEmpty())
         return tell(failure(tr("Where to").toStdString(), "no file is named", "Name one"));
-    const QFileInfo there(out);
-    const bool taken = there.isDir() ? !QDir(out).isEmpty() : there.exists();
-    if (taken && !m_form->mayReplace(there.absoluteFilePath()))
-        return askToReplace(this, out, [this, out] { write(out); });
+    const QString taken
+        = m_form->takenBy(m_form->target().writes(ExportJob{m_document.state(), m_assets.resources(), out.toStdString(), 0, {}}));
+    if (!taken.isEmpty())
+        return askToReplace(this, taken, [this, out] { write(out); });
     write(out);
 }
 
 void ExportDialog::write(const QString& out)
 {
+    for (const auto& file : m_form->target().writes(ExportJob{m_document.state(), m_assets.resources(), out.toStdString(), 0, {}}))
+        m_form->allowReplacing(QString::fromStdString(file.string()));
     m_form->allowReplacing(out);
     m_result->hide();
     m_assets.messages().clear("export");

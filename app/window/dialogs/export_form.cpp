@@ -107,6 +107,19 @@ QString ExportForm::completePath()
     return path;
 }
 
+QString ExportForm::takenBy(const std::vector<std::filesystem::path>& files) const
+{
+    const QFileInfo out(m_out->text());
+    if (mayReplace(out.absoluteFilePath()) && out.isDir())
+        return {};
+    if (out.isDir() && !QDir(out.absoluteFilePath()).isEmpty())
+        return out.absoluteFilePath();
+    for (const std::filesystem::path& file : files)
+        if (const QString path = QString::fromStdString(file.string()); QFileInfo::exists(path) && !mayReplace(path))
+            return path;
+    return {};
+}
+
 void ExportForm::setOut(const QString& path)
 {
     m_named = true;

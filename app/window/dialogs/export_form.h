@@ -6,6 +6,8 @@
 #include "core/exporters/exporters.h"
 #include <QStringList>
 #include <QWidget>
+#include <filesystem>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -28,6 +30,9 @@ public:
 
     // Whether what lies at `path` was chosen knowingly, or was written from this document.
     bool mayReplace(const QString& path) const { return m_replaceable.contains(path); }
+    // The first of what an export to the completed path writes over that may not be replaced unasked, or the folder that it mixes its
+    // files into; "" when there is none.
+    QString takenBy(const std::vector<std::filesystem::path>& files) const;
     void allowReplacing(const QString& path) { m_replaceable.append(path); }
     void forgetReplaceable() { m_replaceable.clear(); }
     static void rememberFolder(const QString& path); // for the next proposals

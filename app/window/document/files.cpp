@@ -90,8 +90,10 @@ void Files::saveTo(const QString& file, const std::function<void()>& then)
             Qt::SingleShotConnection);
         return;
     }
-    if (const auto saved = m_document.save(file); !saved)
-        return m_messages.set("save", saved.error());
+    if (const auto saved = m_document.save(file); !saved) {
+        m_messages.set("save", saved.error());
+        return askToSaveElsewhere(m_window, QString::fromStdString(message(saved.error())), [this, then] { saveAs(then); });
+    }
     m_messages.clear("save");
     addRecentFile(QFileInfo(file).absoluteFilePath());
     rememberSaved(file);

@@ -3,9 +3,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/messages.h"
 #include "core/ground/shown_text.h"
+#include <QRegularExpression>
 #include <algorithm>
+#include <string_view>
 
 namespace relievo {
+namespace {
+// Warnings of core that tell of what was recognised and put right.
+constexpr std::string_view kGoodNews[] = {"relief-json", "normal-directx", "depth-map"};
+
+// As it stands in the window: core's texts may name an option of the command line in brackets, "(--height FILE)".
+QString inTheWindow(const std::string& text)
+{
+    static const QRegularExpression option(R"(\s*\(--[a-z][^)]*\))");
+    return QString::fromStdString(shownText(text)).remove(option);
+}
+
+int rankOf(const Message& message)
+{
+    return message.isError ? 0 : message.isNotice ? 3 : message.isNote ? 2 : 1;
+}
+} // namespace
 
 void Messages::set(const QString& source, const QList<Message>& messages)
 {
@@ -23,13 +41,13 @@ void Messages::set(const QString& source, const Warnings& warnings)
 {
     QList<Message> messages;
     for (const Warning& warning : warnings)
-        messages.append({false, QString::fromStdString(shownText(warning.text))});
+        messages.append({.text = inTheWindow(warning.text), .isNote = std::ranges::count(kGoodNews, std::string_view(warning.code)) > 0});
     set(source, messages);
 }
 
 void Messages::set(const QString& source, const Error& error)
 {
-    set(source, QList<Message>{{true, QString::fromStdString(message(error))}});
+    set(source, QList<Message>{{true, inTheWindow(message(error))}});
 }
 
 QList<Message> Messages::all() const
@@ -39,7 +57,7 @@ QList<Message> Messages::all() const
         for (const Message& one : messages)
             if (!list.contains(one))
                 list.append(one);
-    std::ranges::stable_sort(list, {}, [](const Message& one) { return one.isError ? 0 : one.isNotice ? 2 : 1; });
+    std::ranges::stable_sort(list, {}, rankOf);
     return list;
 }
 

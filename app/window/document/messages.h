@@ -11,9 +11,10 @@
 namespace relievo {
 
 struct Message {
-    bool isError = false; // else a warning: the work went on
+    bool isError = false; // else a warning, unless it is one of the below: the work went on
     QString text; // one sentence
     bool isNotice = false; // neither: how the work goes on; shown in the line alone, so that its coming and going moves nothing
+    bool isNote = false; // neither: what was recognised and is as it should be; counts as no warning
     bool operator==(const Message&) const = default;
 };
 
@@ -29,7 +30,7 @@ public:
     void setNotice(const QString& source, const QString& text) { set(source, QList<Message>{{false, text, true}}); }
     void clear(const QString& source) { set(source, QList<Message>{}); }
 
-    QList<Message> all() const; // errors first, notices last; among equals those of the part that spoke last
+    QList<Message> all() const; // errors first, then warnings, notes, notices; among equals those of the part that spoke last
 
 Q_SIGNALS:
     void changed();

@@ -25,14 +25,20 @@ const char* const kMouseHelp = "Left drag orbits   \u00b7   Middle drag moves   
 
 QString counted(const QList<Message>& all)
 {
-    const auto errors = std::count_if(all.begin(), all.end(), [](const Message& one) { return one.isError; });
-    const auto warnings = all.size() - errors;
+    const auto errors = std::ranges::count_if(all, &Message::isError), notes = std::ranges::count_if(all, &Message::isNote);
+    const auto warnings = all.size() - errors - notes;
     QStringList parts;
     if (errors)
         parts << (errors == 1 ? QObject::tr("1 error") : QObject::tr("%1 errors").arg(errors));
     if (warnings)
         parts << (warnings == 1 ? QObject::tr("1 warning") : QObject::tr("%1 warnings").arg(warnings));
+    if (notes)
+        parts << (notes == 1 ? QObject::tr("1 note") : QObject::tr("%1 notes").arg(notes));
     return parts.join(", ");
+}
+const char* iconOf(const Message& message)
+{
+    return message.isError ? "error" : message.isNote ? "info" : "warning";
 }
 } // namespace
 
@@ -145,10 +151,10 @@ void MessageLine::refresh()
     fitList();
     m_count->setVisible(!all.isEmpty());
     m_count->setText(' ' + counted(all));
-    m_count->setIcon(icon(!all.isEmpty() && all.front().isError ? "error" : "warning"));
+    m_count->setIcon(icon(all.isEmpty() ? "warning" : iconOf(all.front())));
     const QString told = all.isEmpty() ? QString::fromUtf8(kMouseHelp) : m_open ? QString() : all.front().text;
     const QString said = notice.isEmpty() ? told : notice; // it goes by itself
-    setRole(*m_text, all.isEmpty() && notice.isEmpty() ? "dim" : "");
+    setRole(*m_text, !notice.isEmpty() ? "" : all.isEmpty() ? "dim" : all.front().isError ? "error" : "");
     m_text->setFullText(said);
 }
 
@@ -177,11 +183,12 @@ void MessageLine::fillList(const QList<Message>& all)
         row->setContentsMargins(0, 0, 0, 0);
         row->setSpacing(2 * kGrid);
         auto* picture = new QLabel;
-        picture->setPixmap(icon(one.isError ? "error" : "warning").pixmap(QSize(16, 16), devicePixelRatioF()));
+        picture->setPixmap(icon(iconOf(one)).pixmap(QSize(16, 16), devicePixelRatioF()));
         auto* text = new QLabel(one.text);
         text->setTextFormat(Qt::PlainText);
         text->setWordWrap(true);
         text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        setRole(*text, one.isError ? "error" : "");
         row->addWidget(picture, 0, Qt::AlignTop);
         row->addWidget(text, 1);
         m_lines->addWidget(entry);

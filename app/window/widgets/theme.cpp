@@ -18,12 +18,12 @@
 namespace relievo {
 namespace {
 struct LookRow {
-    const char *name, *window, *field, *raised, *hovered, *line, *text, *dim, *accent, *onAccent, *warning;
+    const char *name, *window, *field, *raised, *hovered, *line, *text, *dim, *accent, *onAccent, *warning, *error;
 };
 constexpr LookRow kLooks[] = {
-    // name     window     field      raised     hovered    line       text       dim        accent     onAccent   warning
-    {"dark", "#282828", "#1f1f1f", "#363636", "#404040", "#3a3a3a", "#d8d8d8", "#8c8c8c", "#5b9bd5", "#101820", "#e0a84a"},
-    {"light", "#eeeeee", "#ffffff", "#e2e2e2", "#d6d6d6", "#cdcdcd", "#202020", "#6e6e6e", "#2f74b5", "#ffffff", "#a86400"},
+    // name     window     field      raised     hovered    line       text       dim        accent     onAccent   warning    error
+    {"dark", "#282828", "#1f1f1f", "#363636", "#404040", "#3a3a3a", "#d8d8d8", "#8c8c8c", "#5b9bd5", "#101820", "#e0a84a", "#f08078"},
+    {"light", "#eeeeee", "#ffffff", "#e2e2e2", "#d6d6d6", "#cdcdcd", "#202020", "#6e6e6e", "#2f74b5", "#ffffff", "#a86400", "#b3261e"},
 };
 
 // Families with digits of equal width, best first.
@@ -66,7 +66,7 @@ QString styleSheet(const LookRow& row)
     QString text = QString::fromUtf8(file.readAll());
     const std::pair<const char*, const char*> words[] = {{"@window", row.window}, {"@field", row.field}, {"@raised", row.raised},
         {"@hovered", row.hovered}, {"@line", row.line}, {"@text", row.text}, {"@dim", row.dim}, {"@accent", row.accent},
-        {"@onAccent", row.onAccent}, {"@warning", row.warning}, {"@look", row.name}};
+        {"@onAccent", row.onAccent}, {"@warning", row.warning}, {"@error", row.error}, {"@look", row.name}};
     for (const auto& [word, value] : words)
         text.replace(word, value);
     return text;

@@ -297,13 +297,27 @@ TEST_F(Export, WhatCannotBeWrittenIsAnErrorAndLeavesNothing)
     fs::create_directories(m_folder / "taken.glb");
     std::ofstream(m_folder / "file") << "x";
     for (const auto& [target, out] :
-        {std::pair{"gltf", "missing/a.glb"}, {"gltf", "taken.glb"}, {"preset", "missing/a.json"}, {"textures", "file/below"}}) {
+        {std::pair{"gltf", "file/a.glb"}, {"gltf", "taken.glb"}, {"preset", "file/below/a.json"}, {"textures", "file/below"}}) {
         const Expected<Exported> exported = run(target, out);
         ASSERT_FALSE(exported) << target;
         EXPECT_NE(exported.error().where.find(m_folder.string()), std::string::npos);
         EXPECT_FALSE(exported.error().hint.empty());
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()), 2);
+}
+
+TEST_F(Export, WhatItWritesIsToldBefore)
+{
+    for (const auto& [target, out] : {std::pair{"gltf", "new/deep/a.glb"}, {"preset", "far/a.json"}, {"textures", "maps/of/it"}}) {
+        const Expected<Resources> resources = loadResources(m_state, {}, {});
+        ASSERT_TRUE(resources);
+        std::vector<fs::path> told = findExport(target)->writes({m_state, *resources, m_folder / out, 0, {}});
+        Expected<Exported> exported = run(target, out); // its folders are made
+        ASSERT_TRUE(exported) << message(exported.error());
+        std::ranges::sort(told);
+        std::ranges::sort(exported->files);
+        EXPECT_EQ(told, exported->files) << target;
+    }
 }
 
 TEST(ExportImages, FileStemsAreSafe)
