@@ -81,12 +81,17 @@ bool namesEmbeddedPicture(const fs::path& name)
     return embeddedOf(name).has_value();
 }
 
-bool pictureMayExist(const fs::path& name)
+fs::path fileOfPicture(const fs::path& name)
 {
     const std::optional<Embedded> embedded = embeddedOf(name);
     const std::optional<NamedLayer> layer = layerOf(name);
-    const std::optional<fs::path> file = thatLooksLike(embedded ? embedded->file : layer ? layer->file : name);
-    return file && isFile(*file);
+    const fs::path file = embedded ? embedded->file : layer ? layer->file : name;
+    return thatLooksLike(file).value_or(file);
+}
+
+bool pictureMayExist(const fs::path& name)
+{
+    return isFile(fileOfPicture(name));
 }
 
 std::optional<NamedLayer> layerOf(const fs::path& name)
