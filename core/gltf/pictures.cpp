@@ -80,13 +80,13 @@ fs::path fileOfPicture(const fs::path& name)
 {
     const std::optional<Embedded> embedded = embeddedOf(name);
     const std::optional<NamedLayer> layer = layerOf(name);
-    return embedded ? embedded->file : layer ? layer->file : name;
+    const fs::path file = embedded ? embedded->file : layer ? layer->file : name;
+    return thatLooksLike(file).value_or(file);
 }
 
 bool pictureMayExist(const fs::path& name)
 {
-    const std::optional<fs::path> file = thatLooksLike(fileOfPicture(name));
-    return file && isFile(*file);
+    return isFile(fileOfPicture(name));
 }
 
 std::optional<NamedLayer> layerOf(const fs::path& name)

@@ -29,7 +29,7 @@ struct NamedLayer {
 std::optional<NamedLayer> layerOf(const std::filesystem::path& name);
 std::string layerName(const std::filesystem::path& exr, const std::string& layer);
 
-// The file in which a picture lies: `name` itself, or the glTF or EXR file that holds it.
+// The file in which a picture lies: `name` itself, one whose name looks alike, or the glTF or EXR file that holds it.
 std::filesystem::path fileOfPicture(const std::filesystem::path& name);
 
 // Whether there is a file of that name, or the glTF or EXR file that should hold the picture.

@@ -11,7 +11,7 @@ namespace relievo::imageio {
 namespace {
 using OIIO::TypeDesc;
 constexpr std::size_t kHeaderBytes = 128, kLongHeaderBytes = 148; // the long one follows the four characters DX10
-constexpr std::uint32_t kHasFourCC = 0x4, kRgb = 0x40, kLuminance = 0x20000, kCubeOrVolume = 0x200200;
+constexpr std::uint32_t kHasFourCC = 0x4, kRgb = 0x40, kLuminance = 0x20000, kSigned = 0x80000, kCubeOrVolume = 0x200200;
 
 constexpr std::uint32_t fourCC(const char (&name)[5])
 {
@@ -27,7 +27,9 @@ struct PlainRow {
     TypeDesc::BASETYPE type;
     bool blueFirst = false;
     int spare = 0; // channels at the end that say nothing
+    bool tenBits = false; // three of ten bits and one of two in each 32, widened to 16
 };
+constexpr std::uint32_t kBlueFirstTenBits = 0xffff; // DXGI has no number for it
 constexpr auto kPlain = std::to_array<PlainRow>({
     {2, 116, 4, TypeDesc::FLOAT},
     {6, 0, 3, TypeDesc::FLOAT},
@@ -35,18 +37,24 @@ constexpr auto kPlain = std::to_array<PlainRow>({
     {11, 36, 4, TypeDesc::UINT16},
     {13, 110, 4, TypeDesc::INT16},
     {16, 115, 2, TypeDesc::FLOAT},
+    {24, 31, 4, TypeDesc::UINT16, false, 0, true},
+    {kBlueFirstTenBits, 35, 4, TypeDesc::UINT16, true, 0, true},
     {28, 0, 4, TypeDesc::UINT8},
     {29, 0, 4, TypeDesc::UINT8},
+    {31, 63, 4, TypeDesc::INT8},
     {34, 112, 2, TypeDesc::HALF},
     {35, 0, 2, TypeDesc::UINT16},
-    {37, 0, 2, TypeDesc::INT16},
+    {37, 64, 2, TypeDesc::INT16},
     {41, 114, 1, TypeDesc::FLOAT},
+    {42, 0, 1, TypeDesc::UINT32},
+    {43, 0, 1, TypeDesc::INT32},
     {49, 0, 2, TypeDesc::UINT8},
-    {51, 0, 2, TypeDesc::INT8},
+    {51, 60, 2, TypeDesc::INT8},
     {54, 111, 1, TypeDesc::HALF},
     {56, 0, 1, TypeDesc::UINT16},
     {57, 0, 1, TypeDesc::UINT16},
     {58, 0, 1, TypeDesc::INT16},
+    {59, 0, 1, TypeDesc::INT16},
     {61, 0, 1, TypeDesc::UINT8},
     {63, 0, 1, TypeDesc::INT8},
     {65, 0, 1, TypeDesc::UINT8},
@@ -89,10 +97,26 @@ struct NameRow {
     std::uint32_t name, dxgi;
 };
 constexpr auto kNames = std::to_array<NameRow>({
+    {fourCC("DXT2"), 74}, // multiplied by alpha, as DXT4 is
+    {fourCC("DXT4"), 77},
     {fourCC("BC4U"), 80},
     {fourCC("BC4S"), 81},
     {fourCC("BC5U"), 83},
     {fourCC("BC5S"), 84},
+});
+
+// What old headers describe by bits a texel and masks, and the library cuts to 8 bits or does not read.
+struct MaskRow {
+    std::uint32_t flags, bits, red, green, dxgi;
+};
+constexpr auto kMasks = std::to_array<MaskRow>({
+    {kLuminance | kRgb, 16, 0xffff, 0, 56},
+    {kRgb, 32, 0xffff, 0xffff0000, 35},
+    {kRgb, 32, 0x3ff, 0xffc00, 24},
+    {kRgb, 32, 0x3ff00000, 0xffc00, kBlueFirstTenBits},
+    {kSigned, 16, 0xff, 0xff00, 51},
+    {kSigned, 32, 0xff, 0xff00, 31},
+    {kSigned, 32, 0xffff, 0xffff0000, 37},
 });
 
 class Header {
@@ -105,6 +129,8 @@ public:
     }
     bool whole() const { return m_size >= (isLong() ? kLongHeaderBytes : kHeaderBytes); }
     bool isLong() const { return hasName() && name() == kDx10; }
+    bool isPremultiplied() const { return hasName() && (name() == fourCC("DXT2") || name() == fourCC("DXT4")); }
+    bool isSigned() const { return (number(80) & kSigned) != 0; }
     bool hasName() const { return (number(80) & kHasFourCC) != 0; }
     std::uint32_t name() const { return number(84); }
     std::size_t size() const { return isLong() ? kLongHeaderBytes : kHeaderBytes; }
@@ -116,15 +142,16 @@ public:
     std::uint32_t dxgi() const
     {
         if (isLong())
-            return number(128);
+            return number(128) == kBlueFirstTenBits ? 0 : number(128);
         if (hasName()) {
             const auto named = std::ranges::find(kNames, name(), &NameRow::name);
             const auto plain = std::ranges::find(kPlain, name(), &PlainRow::d3d9);
             return named != kNames.end() ? named->dxgi : name() != 0 && plain != kPlain.end() ? plain->dxgi : 0;
         }
-        const bool isRed16 = number(88) == 16 && number(92) == 0xffff && (number(80) & (kLuminance | kRgb)) != 0;
-        const bool isRedGreen16 = number(88) == 32 && number(92) == 0xffff && number(96) == 0xffff0000;
-        return isRed16 ? 56 : isRedGreen16 ? 35 : 0;
+        for (const MaskRow& row : kMasks)
+            if ((number(80) & row.flags) != 0 && number(88) == row.bits && number(92) == row.red && number(96) == row.green)
+                return row.dxgi;
+        return 0;
     }
 
     std::string kind() const
@@ -177,7 +204,8 @@ public:
     bool close() override { return true; }
     bool read_native_scanline(int, int, int y, int, void* data) override
     {
-        const std::size_t size = TypeDesc(m_row.type).size(), texel = size * std::size_t(m_row.channels + m_row.spare);
+        const std::size_t size = TypeDesc(m_row.type).size();
+        const std::size_t texel = m_row.tenBits ? 4 : size * std::size_t(m_row.channels + m_row.spare);
         std::vector<char> row(std::size_t(m_spec.width) * texel);
         m_file.seekg(std::streamoff(m_start + std::size_t(y) * row.size()));
         if (!m_file.read(row.data(), std::streamsize(row.size()))) {
@@ -186,12 +214,26 @@ public:
         }
         char* out = static_cast<char*>(data);
         for (std::size_t x = 0; x < std::size_t(m_spec.width); ++x)
-            for (std::size_t c = 0; c < std::size_t(m_row.channels); ++c, out += size)
-                std::memcpy(out, row.data() + x * texel + (m_row.blueFirst && c < 3 ? 2 - c : c) * size, size);
+            for (std::size_t c = 0; c < std::size_t(m_row.channels); ++c, out += size) {
+                const std::size_t from = m_row.blueFirst && c < 3 ? 2 - c : c;
+                if (m_row.tenBits)
+                    putTenBits(row.data() + x * texel, from, out);
+                else
+                    std::memcpy(out, row.data() + x * texel + from * size, size);
+            }
         return true;
     }
 
 private:
+    static void putTenBits(const char* texel, std::size_t channel, char* out)
+    {
+        std::uint32_t packed;
+        std::memcpy(&packed, texel, sizeof packed);
+        const std::uint32_t most = channel < 3 ? 1023 : 3, value = packed >> (10 * channel) & most;
+        const auto wide = std::uint16_t((value * 65535 + most / 2) / most);
+        std::memcpy(out, &wide, sizeof wide);
+    }
+
     PlainRow m_row;
     std::size_t m_start;
     std::ifstream m_file;
@@ -231,9 +273,11 @@ Refusal unknownDds(const std::string& kind)
 tl::expected<DdsPlan, Refusal> planDds(const std::string& file)
 {
     const Header header(file);
-    DdsPlan plan{nullptr, nullptr, header.kind()};
+    DdsPlan plan{nullptr, nullptr, header.isPremultiplied(), header.kind()};
     const std::uint32_t dxgi = header.whole() ? header.dxgi() : 0;
     if (dxgi == 0 && header.whole() && header.isLong())
+        return tl::unexpected(unknownDds(header.kind()));
+    if (dxgi == 0 && header.isSigned())
         return tl::unexpected(unknownDds(header.kind()));
     if (dxgi == 0)
         return plan;

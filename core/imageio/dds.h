@@ -16,6 +16,7 @@ namespace relievo::imageio {
 struct DdsPlan {
     std::unique_ptr<OIIO::ImageInput> input; // reads it in place of the library's own reader
     std::shared_ptr<MemoryFile> rewritten; // the same picture under a header that the library knows
+    bool premultiplied = false; // its colours, by its alpha
     std::string kind; // of the format, for messages: "DXGI format 99"
 };
 

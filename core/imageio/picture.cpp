@@ -239,6 +239,8 @@ tl::expected<void, Refusal> openInput(Picture& picture, const std::string& file)
         dds = std::move(*plan);
     }
     picture.rewritten = dds.rewritten;
+    if (dds.premultiplied)
+        picture.warnings.emplace_back("premultiplied", "its colors are stored multiplied by its alpha, and are shown so");
     picture.input = dds.input ? std::move(dds.input) : OIIO::ImageInput::create(picture.format->name);
     if (!picture.input)
         return tl::unexpected(

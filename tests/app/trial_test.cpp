@@ -156,7 +156,7 @@ TEST_F(TrialTest, WhatIsRefusedOrLimitedIsSaid)
         QToolTip::hideText();
         type("depth", "0.2");
         type("depth", text);
-        EXPECT_TRUE(waitFor([] { return QToolTip::text() == "0 to 0.5 tile"; }, 2000)) << text << QToolTip::text().toStdString();
+        EXPECT_TRUE(waitFor([] { return QToolTip::text() == "0 to 1.5 tile"; }, 2000)) << text << QToolTip::text().toStdString();
     }
 }
 

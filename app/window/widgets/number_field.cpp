@@ -122,7 +122,7 @@ std::optional<double> typedNumber(const ParameterRow& row, QString text)
             text.chop(unit.size());
         return there;
     };
-    const bool isShare = row.max <= 1 && kindOf(row) != ValueKind::Whole;
+    const bool isShare = row.max < 2 && kindOf(row) != ValueKind::Whole;
     const double scale = isShare && drop("%") ? 0.01 : 1.;
     if (row.unit != "deg" || !drop(QString::fromUtf8("\u00b0")))
         drop(qt(row.unit));

@@ -95,7 +95,7 @@ QString numberText(const ParameterRow& row, double value)
         return QString::number(std::lround(value));
     const double reach = std::max(std::abs(double(row.min)), std::abs(double(row.max)));
     const int most = std::min(decimalsOf(value), 5);
-    int digits = row.unit == "deg" ? 1 : row.min > 0 && row.min < 0.001f ? 4 : reach <= 1 ? 3 : reach < 100 || row.max >= 500 ? 2 : 1;
+    int digits = row.unit == "deg" ? 1 : row.min > 0 && row.min < 0.001f ? 4 : reach < 2 ? 3 : reach < 100 || row.max >= 500 ? 2 : 1;
     digits = std::min(digits, most);
     while (digits < most && std::abs(QString::number(value, 'f', digits).toDouble() - value) > 5e-5 * std::abs(value))
         ++digits;

@@ -104,6 +104,17 @@ TEST(OddDds, UncompressedFormatsKeepTheirValues)
         EXPECT_EQ(image->image.storedBits, 16);
         expectRamp(image->image, [](int) { return 0.5f; });
     }
+    const std::string tens = bytesOfAll(std::vector<std::uint32_t>(kSize * kSize, 1023u | 511u << 10 | 0u << 20 | 3u << 30));
+    for (const std::string& file : {dds(kSize, kSize, 24, tens), oldDds(kSize, kSize, 0x40, 0, 32, {0x3ff, 0xffc00, 0x3ff00000}, tens)}) {
+        const auto image = read(file);
+        ASSERT_TRUE(image) << message(image.error());
+        EXPECT_EQ(image->image.value(2, 2, 0), 1.f);
+        EXPECT_NEAR(image->image.value(2, 2, 1), 511.f / 1023.f, 1e-4f);
+        EXPECT_EQ(image->image.value(2, 2, 2), 0.f);
+    }
+    const auto shifts = read(oldDds(kSize, kSize, 0x80000, 0, 16, {0xff, 0xff00}, std::string(kSize * kSize * 2, '\x81'))); // -127
+    ASSERT_TRUE(shifts) << message(shifts.error());
+    EXPECT_FLOAT_EQ(shifts->image.value(2, 2, 1), -1.f);
     std::string blueFirst;
     for (int i = 0; i < kSize * kSize; ++i)
         blueFirst += std::string("\x10\x20\x30\x40");
@@ -147,7 +158,7 @@ TEST(OddDds, CompressedDataIsReadUnderEveryNameOfItsFormat)
 TEST(OddDds, WhatIsNotReadIsNamed)
 {
     const TemporaryFolder folder;
-    for (const std::uint32_t dxgi : {0u, 26u, 107u, 4000u}) {
+    for (const std::uint32_t dxgi : {0u, 26u, 107u, 4000u, 0xffffu}) {
         writeAll(folder / "c.dds", dds(kSize, kSize, dxgi, std::string(kSize * kSize * 4, '\0')));
         const auto read = readImage(folder / "c.dds");
         ASSERT_FALSE(read) << dxgi;
