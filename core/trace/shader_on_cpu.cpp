@@ -70,11 +70,6 @@ const SearchRow kSearches[] = {
 #undef RELIEVO_TECHNIQUE_ROW
 };
 
-bool finite(const SearchRay& r)
-{
-    return std::isfinite(float(r.uv.x)) && std::isfinite(float(r.uv.y)) && std::isfinite(float(r.duv.x)) && std::isfinite(float(r.duv.y));
-}
-
 SearchHit searched(TextSearch search, const Parameters& parameters, const SearchMaps& maps, const SearchRay& ray)
 {
     if (!isFiniteInFloat(ray))
