@@ -12,6 +12,21 @@
 
 namespace relievo {
 namespace fs = std::filesystem;
+
+std::optional<std::string> fromCodePage(const char* page, std::string_view bytes)
+{
+    const iconv_t converter = ::iconv_open("UTF-8", page);
+    if (converter == iconv_t(-1))
+        return std::nullopt;
+    std::string in(bytes), out(bytes.size() * 4, '\0');
+    char *from = in.data(), *to = out.data();
+    std::size_t left = in.size(), room = out.size();
+    const bool done = ::iconv(converter, &from, &left, &to, &room) != std::size_t(-1);
+    ::iconv_close(converter);
+    out.resize(out.size() - room);
+    return done ? std::optional(out) : std::nullopt;
+}
+
 namespace {
 // What Windows and old archives wrote names in, by how often artists meet them.
 constexpr const char* kCodePages[] = {"CP1252", "CP932", "GB18030", "BIG5", "CP949", "CP1251", "CP1250", "CP437", "CP850"};
@@ -31,20 +46,6 @@ std::optional<std::string> mapped(std::string_view text, int options)
     if (size < 0)
         return std::nullopt;
     return std::string(reinterpret_cast<const char*>(out), std::size_t(size));
-}
-
-std::optional<std::string> fromCodePage(const char* page, std::string_view text)
-{
-    const iconv_t converter = ::iconv_open("UTF-8", page);
-    if (converter == iconv_t(-1))
-        return std::nullopt;
-    std::string in(text), out(text.size() * 4, '\0');
-    char *from = in.data(), *to = out.data();
-    std::size_t left = in.size(), room = out.size();
-    const bool done = ::iconv(converter, &from, &left, &to, &room) != std::size_t(-1);
-    ::iconv_close(converter);
-    out.resize(out.size() - room);
-    return done ? std::optional(out) : std::nullopt;
 }
 
 // Exporters write _ for spaces.

@@ -20,6 +20,9 @@ std::string folded(std::string_view text);
 // Korean, Cyrillic ...).
 bool looksAlike(std::string_view a, std::string_view b);
 
+// UTF-8 of bytes in a code page, as iconv calls it ("CP1252", "UTF-16LE"); nothing where they are no text in it.
+std::optional<std::string> fromCodePage(const char* page, std::string_view bytes);
+
 // The file or folder itself when it is there, else the one of the same folder whose name looks alike; nothing without any.
 std::optional<std::filesystem::path> thatLooksLike(const std::filesystem::path& file);
 

@@ -10,8 +10,8 @@
 
 namespace relievo {
 
-// Text of an OBJ or MTL file as it is parsed: UTF-16 (with its mark) becomes UTF-8's ASCII part, as keywords and numbers need no more;
-// UTF-8's mark is removed.
+// Text of an OBJ or MTL file as it is parsed: UTF-16 (with its mark) becomes UTF-8, or its ASCII part where it is damaged; UTF-8's mark is
+// removed.
 std::string plainText(std::string text);
 
 // Words of a text, separated by spaces and tabs (and line ends when the text holds them).

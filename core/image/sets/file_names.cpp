@@ -325,13 +325,15 @@ bool endsInDepth(std::string_view name)
 std::optional<UdimTile> udimTile(std::string_view stem)
 {
     constexpr std::size_t kDigits = 4;
-    const std::string_view number = stem.substr(stem.size() - std::min(stem.size(), kDigits));
-    if (number.size() < kDigits || stem.size() < kDigits + 2 || !allDigits(number) || !isSeparator(stem[stem.size() - kDigits - 1]))
-        return std::nullopt;
-    const int tile = std::atoi(std::string(number).c_str());
-    if (tile < 1001 || tile > 1999)
-        return std::nullopt;
-    return UdimTile{std::string(stem.substr(0, stem.size() - kDigits)), tile};
+    const auto ends = [&](std::size_t at) { return at >= stem.size() || isSeparator(stem[at]); };
+    for (std::size_t at = stem.size(); at-- > 2;) {
+        const std::string_view number = stem.substr(at, kDigits);
+        if (!isSeparator(stem[at - 1]) || number.size() < kDigits || !ends(at + kDigits) || !allDigits(number))
+            continue;
+        if (const int tile = std::atoi(std::string(number).c_str()); tile > 1000 && tile < 2000)
+            return UdimTile{std::string(stem.substr(0, at)) + std::string(stem.substr(at + kDigits)), tile};
+    }
+    return std::nullopt;
 }
 
 } // namespace relievo

@@ -58,9 +58,9 @@ std::optional<NameGuess> withoutWorkflow(std::string_view name);
 std::optional<std::string> heightLayer(const std::vector<std::string>& layers);
 bool isDepthLayer(std::string_view layer);
 
-// "wall_height.1001": one of the tiles that a mesh's UVs are spread over, 1001 to 1999 at the end of the stem.
+// "wall_height.1001", "wall_1001_height": one of the tiles that a mesh's UVs are spread over, 1001 to 1999 as a word of its own.
 struct UdimTile {
-    std::string base; // with the separator
+    std::string base; // the stem without the number
     int number;
 };
 std::optional<UdimTile> udimTile(std::string_view stem);

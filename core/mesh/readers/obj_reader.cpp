@@ -5,6 +5,7 @@
 // Read here and not by OpenMesh: its reader keeps one normal a vertex, drops faces that visit a vertex twice, and a half-edge
 // mesh refuses faces where more than two meet. An artist's file must come in whole.
 #include "core/ground/file.h"
+#include "core/ground/name_forms.h"
 #include "core/ground/text_cursor.h"
 #include "core/mesh/readers/raw_mesh.h"
 #include <algorithm>
@@ -28,7 +29,10 @@ std::string plainText(std::string text)
     const bool bigEndian = text.starts_with("\xFE\xFF"), littleEndian = text.starts_with("\xFF\xFE");
     if (!bigEndian && !littleEndian)
         return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
-    std::string plain;
+    const std::string_view body = std::string_view(text).substr(2);
+    if (std::optional<std::string> whole = fromCodePage(bigEndian ? "UTF-16BE" : "UTF-16LE", body.substr(0, body.size() / 2 * 2)))
+        return std::move(*whole);
+    std::string plain; // it is damaged: the ASCII part of it
     for (std::size_t i = 2; i + 1 < text.size(); i += 2) {
         const char high = text[bigEndian ? i : i + 1], low = text[bigEndian ? i + 1 : i];
         plain += high == 0 ? low : '?';

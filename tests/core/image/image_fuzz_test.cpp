@@ -4,20 +4,46 @@
 #include "core/image/sets/file_names.h"
 #include "tests/core/fuzz_rounds.h"
 #include "tests/core/image/image_support.h"
+#include "tests/core/image/odd_files.h"
 #include <gtest/gtest.h>
 
 using namespace relievo;
 using namespace relievo::test;
+
+namespace {
+// Sound files of each format, by name.
+std::vector<std::pair<std::string, std::string>> soundFiles(const TemporaryFolder& folder)
+{
+    std::vector<std::pair<std::string, std::string>> files;
+    for (const char* suffix : {"png", "tif", "exr", "tga", "bmp", "hdr", "jpg"}) {
+        const std::string name = std::string("x.") + suffix;
+        EXPECT_TRUE(writeImage(folder / name, noiseImage(13, 11, 3, PixelType::U8)));
+        files.emplace_back(name, readAll(folder / name));
+    }
+    const Image layer = noiseImage(13, 11, 3, PixelType::F32);
+    EXPECT_TRUE(writeLayers(folder / "layers.exr", std::vector<ImageLayer>{{"one", layer}, {"height", layer}}));
+    files.emplace_back("layers.exr", readAll(folder / "layers.exr"));
+    const std::string pixels(16 * 16 * 2, '\x5a');
+    files.emplace_back("plain.dds", dds(16, 16, 56, pixels));
+    files.emplace_back("blocks.dds", dds(16, 16, 84, pixels));
+    files.emplace_back("old.dds", oldDds(16, 16, 0x20000, 0, 16, {0xffff}, pixels));
+    files.emplace_back("dem.tif",
+        tiff(16, 16, 16, 2, 0, pixels,
+            {doublesTag(33550, {10, 10, 0}), doublesTag(33922, {0, 0, 0, 1, 2, 3}), shortsTag(34735, {1, 1, 0, 1, 1024, 0, 1, 1}),
+                {42113, 2, 6, std::string("-9999\0", 6)}}));
+    return files;
+}
+} // namespace
 
 TEST(ImageFuzz, MutatedFilesAreAnsweredWithinSize)
 {
     const TemporaryFolder folder;
     std::mt19937 random(7);
     const int rounds = fuzzRounds(25);
-    for (const char* suffix : {"png", "tif", "exr", "tga", "bmp", "hdr", "jpg"}) {
-        const auto file = folder / (std::string("x.") + suffix);
-        ASSERT_TRUE(writeImage(file, noiseImage(13, 11, 3, PixelType::U8)));
-        const std::string good = readAll(file);
+    for (const auto& [name, good] : soundFiles(folder)) {
+        const auto file = folder / name;
+        writeAll(file, good);
+        ASSERT_TRUE(readImage(file)) << name;
         for (int round = 0; round < rounds; ++round) {
             std::string bytes = good;
             for (int hits = 0; hits < 1 + round % 4; ++hits) // headers matter most

@@ -357,6 +357,7 @@ TEST(TextureSetNames, UdimTilesAreNumbersFrom1001)
 {
     EXPECT_EQ(udimTile("wall_height.1001")->number, 1001);
     EXPECT_EQ(udimTile("wall_height_1012")->base, "wall_height_");
+    EXPECT_EQ(udimTile("wall_1002_height")->base, udimTile("wall_1001_height")->base);
     for (const char* name : {"wall_height_1k", "wall_2048", "wall_1000", "wall1001", "1001", "wall_11001", "wall_height"})
         EXPECT_FALSE(udimTile(name)) << name;
 }

@@ -203,19 +203,25 @@ TEST(WildSet, DotsAfterALinkLeadToWhereItPoints)
 
 TEST(WildSet, UdimTilesAreToldAsSuch)
 {
-    const TemporaryFolder folder;
-    for (const char* tile : {"1001", "1002", "1011"}) {
-        ASSERT_TRUE(writeImage(folder / ("wall_height." + std::string(tile) + ".png"), hillHeights(kSize, PixelType::U8)));
-        ASSERT_TRUE(writeImage(folder / ("wall_color." + std::string(tile) + ".png"), noiseImage(kSize, kSize, 3, PixelType::U8)));
-    }
-    for (const std::filesystem::path& source : {folder.path(), folder / "wall_height.1002.png"}) {
-        const auto set = openTextureSet(source);
-        ASSERT_TRUE(set) << message(set.error());
-        ASSERT_EQ(set->maps.size(), 2u);
-        EXPECT_TRUE(tells(set->warnings, "udim"));
-        EXPECT_FALSE(tells(set->warnings, "several-sets"));
-        const std::string tile = source == folder.path() ? "1001" : "1002";
-        for (const FoundMap& map : set->maps)
-            EXPECT_NE(map.file.string().find(tile), std::string::npos) << map.file;
+    for (const auto& [front, middle] : {std::pair("wall_", "."), std::pair("wall.", "_")}) {
+        const TemporaryFolder folder;
+        const bool numberLast = std::string(front) == "wall_";
+        const auto name = [&](const std::string& kind, const std::string& tile) {
+            return std::string(front) + (numberLast ? kind + middle + tile : tile + middle + kind) + ".png";
+        };
+        for (const char* tile : {"1001", "1002", "1011"}) {
+            ASSERT_TRUE(writeImage(folder / name("height", tile), hillHeights(kSize, PixelType::U8)));
+            ASSERT_TRUE(writeImage(folder / name("color", tile), noiseImage(kSize, kSize, 3, PixelType::U8)));
+        }
+        for (const std::filesystem::path& source : {folder.path(), folder / name("height", "1002")}) {
+            const auto set = openTextureSet(source);
+            ASSERT_TRUE(set) << message(set.error());
+            ASSERT_EQ(set->maps.size(), 2u);
+            EXPECT_TRUE(tells(set->warnings, "udim"));
+            EXPECT_FALSE(tells(set->warnings, "several-sets"));
+            const std::string tile = source == folder.path() ? "1001" : "1002";
+            for (const FoundMap& map : set->maps)
+                EXPECT_NE(map.file.string().find(tile), std::string::npos) << map.file;
+        }
     }
 }

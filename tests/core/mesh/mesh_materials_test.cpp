@@ -307,6 +307,26 @@ TEST(MeshMaterials, QuotedNamesHoldSpacesAndNamesOfCodePagesAreFound)
     }
 }
 
+TEST(MeshMaterials, MaterialFilesInUtf16KeepTheirNames)
+{
+    for (const bool bigEndian : {false, true}) {
+        const Scratch scratch;
+        const std::string picture = "Gr\xc3\xb6\xc3\x9f"
+                                    "e \xe7\x9f\xb3.png";
+        scratch.write(picture, "x");
+        std::string mtl = bigEndian ? "\xfe\xff" : "\xff\xfe";
+        for (const char16_t unit : std::u16string(u"newmtl stone\nmap_Kd Gr\u00f6\u00dfe \u77f3.png\n")) {
+            const char high = char(unit >> 8), low = char(unit & 255);
+            mtl += bigEndian ? high : low;
+            mtl += bigEndian ? low : high;
+        }
+        scratch.write("a.mtl", mtl);
+        const Expected<Mesh> mesh = openMesh(scratch.write("a.obj", kTriangle));
+        ASSERT_TRUE(mesh && mesh->materials.size() == 1);
+        EXPECT_EQ(slot(mesh->materials[0], MapKind::Color).file, (scratch.path / picture).string());
+    }
+}
+
 TEST(MeshMaterials, SpecularGlossinessIsConverted)
 {
     const auto factorsOf = [](const std::string& inside) {
