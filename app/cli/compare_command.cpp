@@ -5,6 +5,7 @@
 #include "app/cli/text_painter.h"
 #include "core/analysis/report.h"
 #include "core/ground/file.h"
+#include "core/ground/shown_text.h"
 #include "core/ground/text.h"
 #include "core/image/files/image_file.h"
 #include "core/state/views.h"
@@ -163,8 +164,7 @@ void drawCell(Image& sheet, const TextPainter& text, const Cell& cell, int x, in
 
 void drawHead(Image& picture, const TextPainter& text, const Sheet& sheet)
 {
-    const std::string& title = sheet.subject.state.name;
-    text.draw(picture, kGap, 36, {22, true, kInk}, title);
+    text.draw(picture, kGap, 36, {22, true, kInk}, shownName(sheet.subject.state.name));
     text.draw(picture, kGap, 60, {14, false, kSoft}, "FLIP against " + sheet.exactLabel);
     const TextPainter::Style small{13, false, kSoft};
     const char* shown = "Depth error along the ray, share of depth";

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/measuring.h"
+#include "core/ground/shown_text.h"
 #include "core/state/views.h"
 #include <algorithm>
 
@@ -36,7 +37,7 @@ Result<Subject> openSubject(const StateOptions& options, bool whole, const Progr
         return problem(
             {"the material has no height map to search", options.source.empty() ? "SOURCE" : options.source, "Add one by --height FILE"});
     const Parameters parameters = effectiveParameters(subject.state, 0);
-    subject.field = {options.source, subject.state.name, height->withWrap(parameters.wrap), double(parameters.depth)};
+    subject.field = {options.source, shownName(subject.state.name), height->withWrap(parameters.wrap), double(parameters.depth)};
     return subject;
 }
 

@@ -4,6 +4,7 @@
 #include "app/cli/measuring.h"
 #include "core/analysis/report.h"
 #include "core/ground/file.h"
+#include "core/ground/shown_text.h"
 #include "core/ground/text.h"
 #include "core/image/files/image_file.h"
 #include "core/image/samples/hard_cases.h"
@@ -206,7 +207,7 @@ const Subject& shownSubject(const std::vector<Subject>& subjects)
 std::string titleOf(const ReportOptions& options, const std::vector<Subject>& subjects)
 {
     const std::size_t sets = subjects.size() - (options.hardCases ? kHardCases.size() : 0);
-    const std::string first = sets == 0 ? "" : sets == 1 ? subjects.front().state.name : std::to_string(sets) + " materials";
+    const std::string first = sets == 0 ? "" : sets == 1 ? shownName(subjects.front().state.name) : std::to_string(sets) + " materials";
     return !options.hardCases ? first : first.empty() ? "Hard cases" : first + " and hard cases";
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "app/handed_over.h"
 #include "core/state/state_json.h"
 #include <cerrno>
 #include <cstdio>
@@ -66,7 +67,11 @@ int startEditor(int argc, char** argv)
     if (!opened)
         return tell(opened.error());
     tell(opened->warnings, {});
-    const fs::path file = fs::temp_directory_path() / ("relievo-" + std::to_string(getpid()) + ".json");
+    std::string folder
+        = (fs::temp_directory_path() / kHandedOverFolder).string(); // nobody else's, under a name that cannot be known before
+    if (!mkdtemp(folder.data()))
+        return tell({{std::string("no folder can be made (") + std::strerror(errno) + ')', folder, "Free space there"}});
+    const fs::path file = fs::path(folder) / kHandedOverFile;
     if (const auto written = writeState(opened->state, file); !written)
         return tell({written.error()});
     return execute({"--state-json", file.string()});

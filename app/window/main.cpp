@@ -1,6 +1,7 @@
 // The editor: `relievo-editor [SOURCE] [--state-json FILE]`. Users start it as `relievo`, which passes the state in a file.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/handed_over.h"
 #include "app/window/document/files.h"
 #include "app/window/document/recovery.h"
 #include "app/window/main_window.h"
@@ -18,12 +19,15 @@
 namespace {
 using namespace relievo;
 
-// `relievo` leaves the state in a file named after this very process, which is done with when it has been read.
+// `relievo` leaves the state in a file of a folder of its own, which are done with when it has been read.
 void removeIfOurs(const QString& file)
 {
-    const QString handedOver = QDir::temp().filePath(QString("relievo-%1.json").arg(QCoreApplication::applicationPid()));
-    if (QFileInfo(file) == QFileInfo(handedOver))
-        QFile::remove(file);
+    const QFileInfo info(file), folder(info.absolutePath());
+    const QString start = QString(kHandedOverFolder).remove('X');
+    if (info.fileName() != kHandedOverFile || !folder.fileName().startsWith(start) || folder.dir() != QDir::temp())
+        return;
+    QFile::remove(file);
+    QDir::temp().rmdir(folder.fileName());
 }
 
 // Without any OpenGL the picture could not even be set up. That it is too old is said in the window.

@@ -1,9 +1,11 @@
 // How troubles are told: near the drop, coloured, in words of the window; good news is no warning; a failed save can go elsewhere.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions.h"
 #include "core/ground/file.h"
 #include "core/state/state_json.h"
 #include "tests/app/export_support.h"
+#include <QClipboard>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
@@ -72,7 +74,13 @@ TEST_F(TellingTest, OptionsOfTheCommandLineAreLeftOut)
 {
     window.messages().set("test", Error{"there is none", "x", "Name them so, or set maps by hand (--height FILE)"});
     EXPECT_EQ(window.messageLine().text(), "x: there is none. Name them so, or set maps by hand.");
+    QApplication::clipboard()->setText("yaw=no");
+    window.action("paste-camera")->trigger();
+    for (const Message& one : window.messages().all())
+        EXPECT_FALSE(one.text.contains("--")) << one.text.toStdString();
     for (const ExportRow& row : kExports)
+        EXPECT_EQ(row.help.find("--"), std::string_view::npos) << row.key;
+    for (const ActionRow& row : kActions)
         EXPECT_EQ(row.help.find("--"), std::string_view::npos) << row.key;
 }
 

@@ -110,6 +110,16 @@ TEST(BadInput, NamesFromFilesDoNotReachTheTerminalRaw)
         EXPECT_LT(run.err.size(), 20'000u) << command;
         EXPECT_LT(command == "info --json " ? 0u : run.out.size(), 20'000u) << command;
     }
+    write(folder / "rock_height.png", noiseImage(16, 16, 1, PixelType::U16));
+    writeAll(folder / "q.relievo", "{\"relievo\":1,\"name\":\"" + wild + "\",\"maps\":{\"height\":{\"file\":\"rock_height.png\"}}}");
+    for (const std::string suffix : {"html", "csv", "json"}) {
+        const std::string report = folder / ("r." + suffix);
+        const ProgramRun run
+            = runRelievo("report " + (folder / "q.relievo") + " --fast --no-pictures --techniques relief --rays 20 -o " + report);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        EXPECT_FALSE(isRaw(readAll(report))) << suffix;
+        EXPECT_LT(readAll(report).size(), 400'000u) << suffix;
+    }
 }
 
 TEST(BadInput, TruncatedImagesAreNamedAndTheRestIsKept)

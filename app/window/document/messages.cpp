@@ -12,10 +12,10 @@ namespace {
 // Warnings of core that tell of what was recognised and put right.
 constexpr std::string_view kGoodNews[] = {"relief-json", "normal-directx", "depth-map"};
 
-// As it stands in the window: core's texts may name an option of the command line in brackets, "(--height FILE)".
+// As it stands in the window: core's texts may name an option of the command line, before its value or in brackets, "(--height FILE)".
 QString inTheWindow(const std::string& text)
 {
-    static const QRegularExpression option(R"(\s*\(--[a-z][^)]*\))");
+    static const QRegularExpression option(R"(\s*\(--[a-z][^)]*\)|--[a-z]+ )");
     return QString::fromStdString(shownText(text)).remove(option);
 }
 

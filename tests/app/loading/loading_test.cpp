@@ -334,6 +334,22 @@ TEST(Editor, WithoutOpenGLItSaysSo)
     EXPECT_TRUE(editor.readAllStandardError().contains("OpenGL"));
 }
 
+// The name of the file between the two programs is nobody's to know before, and nothing of it stays.
+TEST(Editor, WhatIsHandedOverLeavesNothingBehind)
+{
+    QTemporaryDir folder;
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("QT_QPA_PLATFORM", "minimal"); // without OpenGL: it ends when it has read the state
+    environment.insert("TMPDIR", folder.path());
+    program.setProcessEnvironment(environment);
+    program.start(RELIEVO_BIN "/relievo", {"sample:bricks@16", "--set", "depth=0.2"});
+    ASSERT_TRUE(program.waitForFinished(20000));
+    EXPECT_EQ(program.exitCode(), 1);
+    EXPECT_TRUE(program.readAllStandardError().contains("OpenGL"));
+    EXPECT_EQ(QDir(folder.path()).entryList({"relievo*"}).join(' ').toStdString(), "");
+}
+
 TEST(Editor, AStateThatCannotBeReadIsToldAndEndsIt)
 {
     QTemporaryDir folder;
