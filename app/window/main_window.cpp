@@ -47,8 +47,6 @@ MainWindow::MainWindow()
     connectAll();
     m_page->restore(*this);
     showPanels(m_page->panelsShown());
-    m_top->action(Action::LightTheme)->setChecked(savedLook() == Look::Light);
-    m_top->action(Action::Smoother)->setChecked(viewport().wantedSamples() > Viewport::kSamples);
     documentChanged(Changes(Change::Panes) | Change::View);
     updateTitle();
 }
@@ -99,7 +97,7 @@ void MainWindow::run(Action action, bool on)
     case Action::ResetCamera:
         return moveActiveCamera({});
     case Action::Smoother:
-        return viewport().setWantedSamples(on ? Viewport::kMostSamples : Viewport::kSamples);
+        return viewport().wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
     case Action::LightTheme:
         return setLook(on ? Look::Light : Look::Dark);
     case Action::Panels:

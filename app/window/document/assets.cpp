@@ -174,9 +174,7 @@ void Assets::show(const Shown& shown)
 void Assets::documentChanged(Changes what)
 {
     if (what & ~(Changes(Change::Camera) | Change::Moment))
-        m_messages.clear("load"); // the work goes on without what was refused
-    if (ready() && what & ~(Changes(Change::Camera) | Change::Moment))
-        tellDepth(m_document.state(), resources(), m_messages);
+        m_messages.clear("load"), tellDepth(m_document.state(), m_store, m_messages); // the work goes on without what was refused
     if (what & ~(Changes(Change::Camera) | Change::Moment | Change::View | Change::Name))
         follow();
 }

@@ -130,9 +130,9 @@ void tellShown(const Shown& shown, Messages& messages)
     messages.set("mesh", shown.resources.mesh->warnings);
 }
 
-void tellDepth(const State& state, const Resources& resources, Messages& messages)
+void tellDepth(const State& state, const ResourceStore& store, Messages& messages)
 {
-    const auto warning = tooDeep(state, resources);
+    const auto warning = store.ready() ? tooDeep(state, store.resources()) : std::nullopt;
     messages.set("depth", warning ? Warnings{*warning} : Warnings{});
 }
 

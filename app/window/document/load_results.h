@@ -5,6 +5,7 @@
 #include "app/window/document/document.h"
 #include "app/window/document/load_jobs.h"
 #include "app/window/document/messages.h"
+#include "app/window/document/resource_store.h"
 
 namespace relievo {
 
@@ -18,7 +19,7 @@ void applyLoaded(const Job& job, const Loaded& loaded, Document& document);
 
 void tellLoaded(const Job& job, const Loaded& loaded, Messages& messages); // before it is shown
 void tellShown(const Shown& shown, Messages& messages);
-void tellDepth(const State& state, const Resources& resources, Messages& messages); // deeper than the mesh is thick
+void tellDepth(const State& state, const ResourceStore& store, Messages& messages); // deeper than the mesh is thick
 // map: the acceleration map that is all that is missing, "" when files are.
 void tellFollowing(const QString& map, Messages& messages);
 void tellStopped(const QString& map, Messages& messages);
