@@ -142,6 +142,7 @@ TEST_F(PanesTest, AtRestEdgesAreSmoothedAndThenTheWindowIsIdle)
     Viewport& picture = window.viewport();
     ASSERT_TRUE(waitFor([&] { return picture.isSettled(); }));
     EXPECT_EQ(picture.smoothSamples(), SamplesAtRest::kLeast);
+    QTest::qWait(50); // the last picture is painted
     int painted = 0;
     QObject::connect(&picture, &Viewport::painted, &picture, [&] { ++painted; });
     QTest::qWait(200);
