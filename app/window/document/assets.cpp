@@ -6,12 +6,12 @@
 #include <utility>
 
 namespace relievo {
-constexpr const char* kFirstSource = "sample:bricks"; // the window is never empty
 
 Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObject(parent), m_document(document), m_messages(messages)
 {
     connect(&document, &Document::changed, this, &Assets::documentChanged);
     connect(&document, &Document::choseAgain, this, &Assets::choseAgain);
+    connect(&m_watch, &FileWatch::changed, this, &Assets::filesChanged);
     connect(&m_background, &Background::failed, this, [this](const QString& what) {
         if (const QueuedJob* job = m_queue.running())
             end(job->id, Error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"});
@@ -24,20 +24,9 @@ Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObjec
 
 void Assets::openDocument(const QString& source)
 {
-    if (isWholeDocument(source))
-        request(OpenDocument{.source = source, .before = m_document.state()});
-    else
-        request(OpenInto{.source = source, .before = m_document.state()});
-}
-
-void Assets::openDocument(const QString& source, const State& base, bool counted)
-{
-    request(OpenDocument{.source = source, .before = m_document.state(), .base = base, .counted = counted});
-}
-
-void Assets::openState(const State& state, const Warnings& warnings, const QString& file)
-{
-    request(OpenState{.state = state, .before = m_document.state(), .warnings = warnings, .file = file});
+    if (!isWholeDocument(source))
+        return request(OpenInto{.source = source, .before = m_document.state()});
+    request(OpenDocument{.source = source, .before = m_document.state()});
 }
 
 void Assets::openInto(const QString& source)
@@ -45,16 +34,6 @@ void Assets::openInto(const QString& source)
     if ((m_document.file().isEmpty() && !m_document.isModified()) || isWholeDocument(source))
         return openDocument(source);
     request(OpenInto{.source = source, .before = m_document.state(), .asStep = true});
-}
-
-void Assets::propose(const QString& text, StateChange change)
-{
-    request(EditNeeds{.text = text, .change = std::move(change)});
-}
-
-void Assets::assign(const QString& text, MapKind kind, const std::string& file)
-{
-    request(assignment(text, kind, file));
 }
 
 void Assets::dropChanges()
@@ -119,11 +98,8 @@ void Assets::tellRefused(const Job& job, const Error& why)
         return m_messages.set("follow", why);
     m_messages.set("load", why);
     Q_EMIT refused();
-    const auto* opening = std::get_if<OpenDocument>(&job);
-    if (isOpening(job) && !ready() && !m_queue.hasOpenings() && !(opening && opening->insteadOf))
-        m_queue.request(
-            OpenDocument{.source = kFirstSource, .before = m_document.state(), .base = State{}, .counted = false, .insteadOf = why},
-            m_document.state());
+    if (isOpening(job) && !ready() && !m_queue.hasOpenings() && !standsInForAnother(job))
+        m_queue.request(firstDocument(m_document.state(), why), m_document.state());
 }
 
 void Assets::cancelled()
@@ -135,7 +111,7 @@ void Assets::cancelled()
     Q_EMIT refused();
     endChanges();
     if (!ready())
-        openDocument(kFirstSource, State{}, false);
+        request(firstDocument(m_document.state()));
     else if (!m_store.isComplete(m_document.state()))
         stopped(); // what was to be followed after it
 }
@@ -151,8 +127,10 @@ void Assets::finish(const Job& job, const Loaded& loaded)
 {
     const auto bring = [this, job, loaded] {
         tellLoaded(job, loaded, m_messages);
+        const FileStamps before = m_store.shown().files;
         show(loaded.shown);
         applyLoaded(job, loaded, m_document);
+        tellReadAgain(loaded.shown, before, m_messages);
         if (const auto* opening = std::get_if<OpenDocument>(&job); opening && opening->insteadOf)
             m_messages.set("load", *opening->insteadOf); // after the change, which clears it
     };
@@ -167,18 +145,25 @@ void Assets::finish(const Job& job, const Loaded& loaded)
 void Assets::show(const Shown& shown)
 {
     m_store.show(shown);
+    m_watch.watch(shown.files);
     tellShown(shown, m_messages);
     Q_EMIT resourcesChanged();
 }
 
 void Assets::documentChanged(Changes what)
 {
-    if (what & ~(Changes(Change::Camera) | Change::Moment))
-        m_messages.clear("load"); // the work goes on without what was refused
-    if (ready() && what & ~(Changes(Change::Camera) | Change::Moment))
-        tellDepth(m_document.state(), resources(), m_messages);
-    if (what & ~(Changes(Change::Camera) | Change::Moment | Change::View | Change::Name))
+    const Changes work = what & ~(Changes(Change::Camera) | Change::Moment);
+    if (work)
+        tellEdited(m_document.state(), ready() ? &resources() : nullptr, m_messages);
+    if (work & ~(Changes(Change::View) | Change::Name))
         follow();
+}
+
+void Assets::filesChanged(const FileNames& files)
+{
+    m_store.readAgain(files);
+    m_queue.followAgain();
+    follow();
 }
 
 // What was stopped or failed is tried once more.

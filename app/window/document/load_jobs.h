@@ -62,6 +62,10 @@ EditNeeds assignment(const QString& text, MapKind kind, const std::string& file)
 // Whether a SOURCE is a document of its own, not maps for the present one.
 bool isWholeDocument(const QString& source);
 
+// What is opened where nothing is shown yet, for the window is never empty; insteadOf: of what could not be opened.
+OpenDocument firstDocument(const State& now, const std::optional<Error>& insteadOf = {});
+bool standsInForAnother(const Job& job);
+
 // What was read for a job.
 struct Loaded {
     State base; // it was read on this

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/load_results.h"
 #include "app/window/document/recent_files.h"
+#include "core/gltf/pictures.h"
 #include "core/ground/shown_text.h"
 #include "core/scene/source.h"
 #include <QFileInfo>
@@ -130,10 +131,37 @@ void tellShown(const Shown& shown, Messages& messages)
     messages.set("mesh", shown.resources.mesh->warnings);
 }
 
-void tellDepth(const State& state, const Resources& resources, Messages& messages)
+void tellReadAgain(const Shown& shown, const FileStamps& before, Messages& messages)
 {
-    const auto warning = tooDeep(state, resources);
-    messages.set("depth", warning ? Warnings{*warning} : Warnings{});
+    QStringList names;
+    bool outside = false;
+    for (const std::string& name : shown.readAgain) {
+        const QString file = QFileInfo(QString::fromStdString(fileOfPicture(name).string())).fileName();
+        if (!names.contains(file))
+            names.append(file);
+        const auto known = before.find(name);
+        outside = outside || (known != before.end() && known->second != shown.files.at(name));
+    }
+    if (names.isEmpty())
+        return;
+    const QString files = names.join(", ");
+    const QString told = names.size() == 1
+        ? (outside ? QObject::tr("%1 was changed outside and has been read again.") : QObject::tr("%1 has been read again.")).arg(files)
+        : (outside ? QObject::tr("%1 files were changed outside and have been read again: %2.")
+                   : QObject::tr("%1 files have been read again: %2."))
+              .arg(names.size())
+              .arg(files);
+    messages.set("files", QList<Message>{{.text = told, .isNote = true}});
+}
+
+void tellEdited(const State& state, const Resources* resources, Messages& messages)
+{
+    messages.clear("load");
+    messages.clear("files");
+    if (!resources)
+        return;
+    const auto tooDeepNow = tooDeep(state, *resources);
+    messages.set("depth", tooDeepNow ? Warnings{*tooDeepNow} : Warnings{});
 }
 
 void tellFollowing(const QString& map, Messages& messages)

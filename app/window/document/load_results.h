@@ -18,7 +18,10 @@ void applyLoaded(const Job& job, const Loaded& loaded, Document& document);
 
 void tellLoaded(const Job& job, const Loaded& loaded, Messages& messages); // before it is shown
 void tellShown(const Shown& shown, Messages& messages);
-void tellDepth(const State& state, const Resources& resources, Messages& messages); // deeper than the mesh is thick
+// Of the files that were stale and have been read; before: how they were when they were read last.
+void tellReadAgain(const Shown& shown, const FileStamps& before, Messages& messages);
+// The work goes on without what was refused. resources: nullptr before the first load.
+void tellEdited(const State& state, const Resources* resources, Messages& messages);
 // map: the acceleration map that is all that is missing, "" when files are.
 void tellFollowing(const QString& map, Messages& messages);
 void tellStopped(const QString& map, Messages& messages);
