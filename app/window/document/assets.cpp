@@ -29,11 +29,12 @@ void Assets::openDocument(const QString& source)
     request(OpenDocument{.source = source, .before = m_document.state()});
 }
 
-void Assets::openInto(const QString& source)
+void Assets::openInto(const QString& source, bool onlyMaterial)
 {
-    if ((m_document.file().isEmpty() && !m_document.isModified()) || isWholeDocument(source))
+    if (isWholeDocument(source))
         return openDocument(source);
-    request(OpenInto{.source = source, .before = m_document.state(), .asStep = true});
+    const bool holdsWork = !m_document.file().isEmpty() || m_document.isModified();
+    request(OpenInto{.source = source, .before = m_document.state(), .asStep = holdsWork, .onlyMaterial = onlyMaterial});
 }
 
 void Assets::dropChanges()
@@ -127,12 +128,10 @@ void Assets::finish(const Job& job, const Loaded& loaded)
 {
     const auto bring = [this, job, loaded] {
         tellLoaded(job, loaded, m_messages);
-        const FileStamps before = m_store.shown().files;
+        const Before before{m_store.shown().files, m_document.state(), m_document.began()};
         show(loaded.shown);
         applyLoaded(job, loaded, m_document);
-        tellReadAgain(loaded.shown, before, m_messages);
-        if (const auto* opening = std::get_if<OpenDocument>(&job); opening && opening->insteadOf)
-            m_messages.set("load", *opening->insteadOf); // after the change, which clears it
+        tellApplied(job, loaded, before, m_document, m_messages);
     };
     if (!askFirst || !losesWork(job, m_document))
         return bring();

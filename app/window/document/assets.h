@@ -37,8 +37,8 @@ public:
     void lookAgain() { m_watch.look(); } // files may have been changed or put back
     void readAgain() { filesChanged(namesOf(m_store.shown().files)); } // all files, changed or not
 
-    // Opens a SOURCE (resources/help/command-line.md, "Sources") as a new document. Maps keep the present mesh, camera and parameters; a
-    // project replaces all.
+    // Opens a SOURCE (resources/help/command-line.md, "Sources") as a new document: a project replaces all; others take the file's values
+    // and else defaults, and keep camera, light and technique.
     void openDocument(const QString& source);
     void openDocument(const QString& source, const State& base) // replaces all
     {
@@ -49,8 +49,8 @@ public:
     {
         request(OpenState{.state = state, .before = m_document.state(), .warnings = warnings, .file = file});
     }
-    // Brings maps into the present document, as one undo step, when that holds work; else as openDocument.
-    void openInto(const QString& source);
+    // Into the present document, as one undo step, when that holds work; else as openDocument. onlyMaterial: the present mesh stays.
+    void openInto(const QString& source, bool onlyMaterial = false);
 
     // An edit that needs other files: they are loaded first, and the document changes only when all that is new could be read.
     void propose(const QString& text, StateChange change) { request(EditNeeds{.text = text, .change = std::move(change)}); }

@@ -69,12 +69,14 @@ FileStamps stampsBeside(const QString& source)
     return stampsIn(std::filesystem::is_directory(path, code) ? path : path.parent_path());
 }
 
-Expected<Loaded> loadSource(const QString& source, const State& base, const Turn& turn)
+Expected<Loaded> loadSource(const QString& source, const State& base, const Turn& turn, bool onlyMaterial = false)
 {
     const FileStamps beside = stampsBeside(source);
     auto opened = openSource(source.toStdString(), base, turn.progress.part(0.f, 0.6f));
     if (!opened)
         return tl::unexpected(opened.error());
+    if (onlyMaterial)
+        opened->state.mesh = base.mesh, opened->state.part = base.part;
     auto loaded = withFiles(
         {.base = base, .opened = std::move(*opened), .shown = {}}, withoutChanged(turn.previous), turn.progress.part(0.6f, 1.f));
     if (loaded)
@@ -95,9 +97,34 @@ Expected<Loaded> loadFor(const OpenState& job, const Turn& turn)
         withoutChanged(turn.previous), turn.progress);
 }
 
+bool isLight(const ParameterRow& row)
+{
+    return row.group == Group::Light || row.key == "lightSize";
+}
+
+// What the SOURCE is read on.
+State groundFor(const OpenInto& job, const State& now)
+{
+    State ground;
+    ground.camera = now.camera;
+    ground.environment = now.environment;
+    for (const ParameterRow& row : kParameters)
+        if (isLight(row))
+            set(ground.parameters, row, get(now.parameters, row));
+    ground.panes = now.panes;
+    for (Pane& pane : ground.panes)
+        std::erase_if(pane.overrides, [](const auto& own) {
+            const ParameterRow* row = findParameter(own.first);
+            return !row || !isLight(*row);
+        });
+    if (job.asStep || job.onlyMaterial)
+        ground.mesh = now.mesh, ground.part = now.part;
+    return ground;
+}
+
 Expected<Loaded> loadFor(const OpenInto& job, const Turn& turn)
 {
-    return loadSource(job.source, turn.now, turn);
+    return loadSource(job.source, groundFor(job, turn.now), turn, job.onlyMaterial);
 }
 
 Expected<Loaded> loadFor(const EditNeeds& job, const Turn& turn)
