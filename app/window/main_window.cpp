@@ -73,6 +73,8 @@ void MainWindow::run(Action action, bool on)
         return m_files->save();
     case Action::SaveAs:
         return m_files->saveAs();
+    case Action::Reload:
+        return m_assets.readAgain();
     case Action::Export:
         return showExport();
     case Action::Quit:
