@@ -43,6 +43,8 @@ bool hasOpenGL()
     return false;
 }
 
+constexpr const char* kFirst = "sample:bricks"; // the window is never empty
+
 // Without a SOURCE the maps of the state are shown, and without those the built-in bricks.
 void open(MainWindow& window, const QString& source, const std::optional<StateRead>& given)
 {
@@ -50,7 +52,10 @@ void open(MainWindow& window, const QString& source, const std::optional<StateRe
     if (source.isEmpty() && hasMaps)
         return window.assets().openState(given->state, given->warnings);
     const State base = given ? given->state : State{};
-    window.assets().openDocument(source.isEmpty() ? "sample:bricks" : source, base);
+    const auto start = [&window, base](const QString& chosen) { window.assets().openDocument(chosen, base); };
+    window.files().chooseSet(source.isEmpty() ? kFirst : source, start);
+    if (!window.assets().background().busy()) // a set is being chosen
+        start(kFirst);
 }
 } // namespace
 

@@ -78,8 +78,7 @@ void MainWindow::run(Action action, bool on)
     case Action::Export:
         return showExport();
     case Action::Quit:
-        close();
-        return;
+        return void(close());
     case Action::Undo:
         return m_document.undoStack().undo();
     case Action::Redo:
@@ -212,8 +211,7 @@ void MainWindow::changeEvent(QEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    const auto urls = event->mimeData()->urls();
-    if (!urls.isEmpty() && urls.front().isLocalFile())
+    if (const auto urls = event->mimeData()->urls(); !urls.isEmpty() && urls.front().isLocalFile())
         event->acceptProposedAction();
 }
 

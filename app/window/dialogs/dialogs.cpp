@@ -2,11 +2,14 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/dialogs/dialogs.h"
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QVBoxLayout>
 
 namespace relievo {
 namespace {
@@ -109,6 +112,26 @@ void askToReplace(QWidget* parent, const QString& path, std::function<void()> th
     box->setDefaultButton(box->addButton(QMessageBox::Cancel));
     QObject::connect(replace, &QPushButton::clicked, parent, std::move(then));
     box->open();
+}
+
+void askForOne(QWidget* parent, const QString& title, const QStringList& lines, std::function<void(qsizetype)> then)
+{
+    auto* dialog = new QDialog(parent);
+    dialog->setObjectName("choose-one");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    auto* list = new QListWidget;
+    list->addItems(lines);
+    list->setCurrentRow(0);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
+    auto* layout = new QVBoxLayout(dialog);
+    layout->addWidget(list);
+    layout->addWidget(buttons);
+    QObject::connect(list, &QListWidget::itemActivated, dialog, &QDialog::accept); // double click, Enter
+    QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    QObject::connect(dialog, &QDialog::accepted, parent, [list, then = std::move(then)] { then(list->currentRow()); });
+    dialog->open();
 }
 
 void askToSaveElsewhere(QWidget* parent, const QString& text, std::function<void()> saveAs)

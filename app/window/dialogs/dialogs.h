@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <QString>
+#include <QStringList>
 #include <functional>
 
 class QWidget;
@@ -23,6 +24,9 @@ void askWhereToSave(
 void rememberSaved(const QString& file);
 // Asks whether what lies at `path` (a file, or files in a folder) may be replaced; `then` runs when it may.
 void askToReplace(QWidget* parent, const QString& path, std::function<void()> then);
+
+// A list to choose one line from; `then` gets its number.
+void askForOne(QWidget* parent, const QString& title, const QStringList& lines, std::function<void(qsizetype)> then);
 
 // Saving has failed, for the reason that `text` tells: it can go somewhere else.
 void askToSaveElsewhere(QWidget* parent, const QString& text, std::function<void()> saveAs);

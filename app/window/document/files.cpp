@@ -6,7 +6,9 @@
 #include "app/window/document/recent_files.h"
 #include "app/window/widgets/number_field.h"
 #include "app/window/widgets/text.h"
+#include "core/ground/shown_text.h"
 #include "core/image/samples/samples.h"
+#include "core/image/sets/texture_set.h"
 #include "core/scene/source.h"
 #include "core/state/presets.h"
 #include <QDir>
@@ -76,7 +78,19 @@ void Files::askFolder()
 
 void Files::open(const QString& source)
 {
-    guard([this, source] { m_assets.openDocument(source); });
+    chooseSet(source, [this](const QString& chosen) { guard([this, chosen] { m_assets.openDocument(chosen); }); });
+}
+
+void Files::chooseSet(const QString& source, const std::function<void(const QString&)>& then)
+{
+    const std::vector<SetInFolder> sets = QFileInfo(source).isDir() ? setsIn(source.toStdString()) : std::vector<SetInFolder>();
+    if (sets.size() < 2)
+        return then(source);
+    QStringList titles;
+    for (const SetInFolder& set : sets)
+        titles << QString::fromStdString(shownName(set.title));
+    askForOne(m_window, tr("Sets in %1").arg(QFileInfo(source).fileName()), titles,
+        [this, sets, then](qsizetype chosen) { chooseSet(QString::fromStdString(sets.at(std::size_t(chosen)).source.string()), then); });
 }
 
 void Files::save(std::function<void()> then)
@@ -149,7 +163,7 @@ void Files::openDropped(const QString& dropped)
     else if (fits(FileKind::Preset, dropped))
         applyPreset(dropped.toStdString());
     else
-        m_assets.openInto(dropped);
+        chooseSet(dropped, [this](const QString& chosen) { m_assets.openInto(chosen); });
 }
 
 void Files::fillRecent(QMenu& menu)

@@ -24,6 +24,8 @@ public:
     void ask(); // for a project or image, then opens it
     void askFolder();
     void open(const QString& source); // a new document, after the question
+    // Of a folder with several sets one is asked for; any other SOURCE is taken at once.
+    void chooseSet(const QString& source, const std::function<void(const QString&)>& then);
     // Asks where to when the document has no file yet, and waits for what is still loading; `then` does not run when that fails.
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});

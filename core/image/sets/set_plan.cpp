@@ -4,6 +4,7 @@
 #include "core/image/sets/set_plan.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/foreign_file.h"
+#include "core/image/sets/texture_set.h"
 #include <algorithm>
 #include <array>
 
@@ -187,6 +188,43 @@ void tellUdim(SetPlan& plan)
             + " is shown, on all of the mesh; name an image of another tile to open that"});
 }
 } // namespace
+
+namespace {
+// The image that leads to a group: its largest file, as what is named wins over better ones of its kind.
+fs::path sourceOf(const FileGroup& group)
+{
+    const auto size = [](const NamedFile& one) {
+        std::error_code code;
+        const std::uintmax_t bytes = fs::file_size(one.file, code);
+        return code ? 0 : bytes;
+    };
+    return std::ranges::max_element(group.files, {}, size)->file;
+}
+} // namespace
+
+std::vector<SetInFolder> setsIn(const fs::path& folder)
+{
+    std::vector<SetInFolder> sets;
+    const Expected<Listing> listing = listFolder(folder);
+    if (!listing)
+        return sets;
+    if (listing->images.empty())
+        for (const fs::path& below : listing->folders)
+            if (const Expected<Listing> inner = listFolder(below); inner && !inner->images.empty())
+                sets.push_back({below.filename().string(), below});
+    std::vector<std::string> tiled; // what UDIM tiles are named before their numbers
+    for (const FileGroup& group : groupFiles(listing->images)) {
+        if (group.files.empty())
+            continue;
+        const auto tile = udimTile(group.files[0].file.stem().string());
+        if (tile && std::ranges::count(tiled, tile->base))
+            continue;
+        if (tile)
+            tiled.push_back(tile->base);
+        sets.push_back({group.title.empty() ? group.files[0].file.filename().string() : group.title, sourceOf(group)});
+    }
+    return sets;
+}
 
 std::string shortList(const std::vector<std::string>& names)
 {

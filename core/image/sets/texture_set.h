@@ -64,6 +64,14 @@ struct TextureSet {
 // Errors: nothing there, no readable image, unsupported container (KTX, KTX2, raw float) named as such.
 Expected<TextureSet> openTextureSet(const std::filesystem::path& source, const Progress& progress = {});
 
+// The sets to choose from in a folder, the most complete one first: those that lie in it, or, where no images do, the folders below it that
+// hold some. Only names are looked at. UDIM tiles are one set. Nothing when the folder cannot be read.
+struct SetInFolder {
+    std::string title; // shown to the user
+    std::filesystem::path source; // for openTextureSet: an image of the set, or a folder
+};
+std::vector<SetInFolder> setsIn(const std::filesystem::path& folder);
+
 // What "FILE#r" (g, b, a) names; any other name stands for all channels of itself.
 std::pair<std::filesystem::path, Channel> fileAndChannel(const std::filesystem::path& given);
 

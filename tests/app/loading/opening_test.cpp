@@ -4,6 +4,8 @@
 #include "core/exporters/exporters.h"
 #include "core/scene/source.h"
 #include "tests/app/window_support.h"
+#include <QDialog>
+#include <QListWidget>
 #include <QPushButton>
 #include <algorithm>
 
@@ -141,4 +143,36 @@ TEST_F(OpeningTest, ADroppedGltfFileIsAskedAbout)
     EXPECT_EQ(state().mesh, own.toStdString());
     EXPECT_EQ(state().slots, before.slots);
     EXPECT_FLOAT_EQ(state().parameters.tiling, 4.f);
+}
+
+TEST_F(OpeningTest, AFolderOfManySetsOffersAList)
+{
+    QDir(folder.path()).mkpath("sets/deep");
+    for (const char* name : {"wall_height.png", "wall_color.png", "roof_height.png", "roof_color.png", "roof_roughness.png"})
+        writeImage((QByteArray("sets/deep/") + name).constData());
+    window.files().open(file("sets/deep"));
+    auto* dialog = window.findChild<QDialog*>("choose-one");
+    ASSERT_NE(dialog, nullptr);
+    auto* list = dialog->findChild<QListWidget*>();
+    ASSERT_EQ(list->count(), 2);
+    EXPECT_EQ(list->item(0)->text(), "roof") << "the most complete one";
+    const std::string before = heights();
+    dialog->reject();
+    settle();
+    EXPECT_EQ(heights(), before);
+    drop(window, file("sets/deep"));
+    dialog = window.findChildren<QDialog*>("choose-one").back();
+    dialog->findChild<QListWidget*>()->setCurrentRow(1);
+    dialog->accept();
+    settle();
+    EXPECT_EQ(heights(), file("sets/deep/wall_height.png").toStdString());
+    EXPECT_TRUE(QDir(folder.path()).mkpath("sets/other"));
+    writeImage("sets/other/door_height.png");
+    window.files().open(file("sets")); // folders below, of which one holds several again
+    ASSERT_TRUE(waitFor([&] { return window.findChildren<QDialog*>("choose-one").size() == 1; }));
+    dialog = window.findChild<QDialog*>("choose-one");
+    dialog->findChild<QListWidget*>()->setCurrentRow(1);
+    dialog->accept();
+    settle();
+    EXPECT_EQ(heights(), file("sets/other/door_height.png").toStdString());
 }

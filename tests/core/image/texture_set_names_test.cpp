@@ -3,10 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/sets/file_names.h"
 #include "core/image/sets/set_groups.h"
+#include "core/image/sets/texture_set.h"
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace relievo;
+namespace fs = std::filesystem;
 
 namespace {
 struct NameCase {
@@ -360,4 +364,32 @@ TEST(TextureSetNames, UdimTilesAreNumbersFrom1001)
     EXPECT_EQ(udimTile("wall_1002_height")->base, udimTile("wall_1001_height")->base);
     for (const char* name : {"wall_height_1k", "wall_2048", "wall_1000", "wall1001", "1001", "wall_11001", "wall_height"})
         EXPECT_FALSE(udimTile(name)) << name;
+}
+
+// By their names alone; UDIM tiles are one set, and folders below count where no images lie in the folder itself.
+TEST(TextureSetNames, TheSetsOfAFolderAreListed)
+{
+    const fs::path folder = fs::path(testing::TempDir()) / "sets_of_a_folder";
+    fs::remove_all(folder);
+    const auto write = [&](const char* name) {
+        fs::create_directories((folder / name).parent_path());
+        std::ofstream(folder / name) << name;
+    };
+    for (const char* name : {"two/wall_height.png", "two/wall_color.png", "two/roof_height.png", "two/notes.txt", "two/photo.png",
+             "tiles/a_color.1001.png", "tiles/a_color.1002.png", "tiles/a_height.1001.png", "tiles/a_height.1002.png", "none/readme.txt"})
+        write(name);
+    const auto titles = [&](const fs::path& which) {
+        std::string text;
+        for (const SetInFolder& set : setsIn(which))
+            text += (text.empty() ? "" : " ") + set.title;
+        return text;
+    };
+    EXPECT_EQ(titles(folder / "two"), "wall roof");
+    EXPECT_EQ(setsIn(folder / "two")[1].source, folder / "two/roof_height.png");
+    EXPECT_EQ(setsIn(folder / "tiles").size(), 1u);
+    EXPECT_EQ(titles(folder), "tiles two");
+    EXPECT_EQ(setsIn(folder)[1].source, folder / "two");
+    EXPECT_TRUE(setsIn(folder / "none").empty());
+    EXPECT_TRUE(setsIn(folder / "not-there").empty());
+    fs::remove_all(folder);
 }
