@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/handed_over.h"
 #include "app/window/document/files.h"
+#include "app/window/document/load_jobs.h"
 #include "app/window/document/recovery.h"
+#include "app/window/document/starting_scene.h"
 #include "app/window/main_window.h"
 #include "app/window/widgets/theme.h"
 #include "core/state/state_json.h"
@@ -43,14 +45,15 @@ bool hasOpenGL()
     return false;
 }
 
-// Without a SOURCE the maps of the state are shown, and without those the built-in bricks.
+// Without a SOURCE the maps of the state are shown, and without those a built-in material. What is no whole document, and comes with no
+// state, is shown on the starting scene.
 void open(MainWindow& window, const QString& source, const std::optional<StateRead>& given)
 {
     const bool hasMaps = given && given->state.slots != MapSlots{};
     if (source.isEmpty() && hasMaps)
         return window.assets().openState(given->state, given->warnings);
-    const State base = given ? given->state : State{};
-    window.assets().openDocument(source.isEmpty() ? "sample:bricks" : source, base);
+    const QString opened = source.isEmpty() ? kStartingSource : source;
+    window.assets().openDocument(opened, given ? given->state : isWholeDocument(opened) ? State{} : startingScene());
 }
 } // namespace
 

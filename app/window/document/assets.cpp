@@ -25,7 +25,7 @@ Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObjec
 void Assets::openDocument(const QString& source)
 {
     if (isWholeDocument(source))
-        request(OpenDocument{.source = source, .before = m_document.state()});
+        request(OpenDocument{.source = source, .before = m_document.state(), .base = State{}}); // it says all, or means the default
     else
         request(OpenInto{.source = source, .before = m_document.state()});
 }
