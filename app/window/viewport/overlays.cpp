@@ -110,7 +110,7 @@ void PaneCaption::fit(int room)
     int technique = m_technique->sizeHint().width(), view = m_view->sizeHint().width();
     const int most = std::max(room - start, 0);
     if (technique + view > most) {
-        view = std::min(view, std::max(most / 3, most - technique));
+        view = std::min(view, std::max(most * 2 / 5, most - technique));
         technique = std::min(technique, most - view);
     }
     m_technique->setGeometry(start, 0, technique, kRowHeight);
