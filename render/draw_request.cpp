@@ -13,8 +13,7 @@ DrawRequest::DrawRequest(const State& state, std::size_t pane, const Resources& 
     , m_resources(resources)
     , m_target(target)
     , m_view(!view.empty() || pane >= state.panes.size() ? view : state.panes[pane].view)
-    , m_camera(cameraView(cameraOf(state, pane), resources.mesh->boundsMin, resources.mesh->boundsMax,
-          float(target.width) / float(std::max(target.height, 1))))
+    , m_camera(cameraOnto(*resources.mesh, cameraOf(state, pane), float(target.width) / float(std::max(target.height, 1))))
 {
 }
 

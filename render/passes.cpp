@@ -137,21 +137,23 @@ void drawWireframe(DrawContext& context, Frame& frame)
 
 bool wantsBackground(const Frame& frame)
 {
-    return frame.parameters.background == Backdrop::Environment && !frame.view.isHeat;
+    const Backdrop behind = frame.parameters.background;
+    return (behind == Backdrop::Environment || behind == Backdrop::Gradient) && !frame.view.isHeat;
 }
 
 void drawBackground(DrawContext& context, Frame& frame)
 {
     const bool linear = frame.request.target().linear;
+    const Backdrop behind = frame.parameters.background;
     const LinkedProgram* program = context.programs.get(
-        linear ? "background/linear" : "background", [&](const ShaderReader& read) { return backgroundProgram(linear, read); },
-        frame.error);
+        "background/" + std::string(wordOf(behind)) + (linear ? "/linear" : ""),
+        [&](const ShaderReader& read) { return backgroundProgram(behind, linear, read); }, frame.error);
     if (!program)
         return;
     useProgram(context, frame, *program, frame.uniforms);
     if (!context.noVertices)
         context.noVertices = newVertexArray();
-    const ScopedAtFarPlane behind;
+    const ScopedAtFarPlane far;
     glBindVertexArray(*context.noVertices);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);

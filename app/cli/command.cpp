@@ -55,7 +55,8 @@ void StateOptions::addTo(CLI::App& command)
     command.add_option("--mesh", mesh, "Mesh file or shape")->type_name(shapeNames());
     command.add_option("--environment", environment, "Equirectangular picture (hdr, exr) that lights the scene, or studio")
         ->type_name("FILE");
-    command.add_option("--camera", camera, "yaw=DEG,pitch=DEG,distance=M,target=X:Y:Z (M),fov=DEG, any of them")->type_name("SETTINGS");
+    command.add_option("--camera", camera, "yaw=DEG,pitch=DEG,distance=M,target=X:Y:Z (M),fov=DEG,fill=SHARE, any of them")
+        ->type_name("SETTINGS");
     addMapsTo(command);
 }
 

@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/handed_over.h"
 #include "app/window/document/files.h"
+#include "app/window/document/load_jobs.h"
 #include "app/window/document/recovery.h"
+#include "app/window/document/starting_scene.h"
 #include "app/window/main_window.h"
 #include "app/window/widgets/theme.h"
 #include "core/state/state_json.h"
@@ -43,19 +45,19 @@ bool hasOpenGL()
     return false;
 }
 
-constexpr const char* kFirst = "sample:bricks"; // the window is never empty
-
-// Without a SOURCE the maps of the state are shown, and without those the built-in bricks.
+// Without a SOURCE the maps of the state are shown, and without those a built-in material. What is no whole document, and comes with no
+// state, is shown on the starting scene.
 void open(MainWindow& window, const QString& source, const std::optional<StateRead>& given)
 {
     const bool hasMaps = given && given->state.slots != MapSlots{};
     if (source.isEmpty() && hasMaps)
         return window.assets().openState(given->state, given->warnings);
-    const State base = given ? given->state : State{};
+    const QString opened = source.isEmpty() ? kStartingSource : source;
+    const State base = given ? given->state : isWholeDocument(opened) ? State{} : startingScene();
     const auto start = [&window, base](const QString& chosen) { window.assets().openDocument(chosen, base); };
-    window.files().chooseSet(source.isEmpty() ? kFirst : source, start);
+    window.files().chooseSet(opened, start);
     if (!window.assets().background().busy()) // a set is being chosen
-        start(kFirst);
+        start(kStartingSource);
 }
 } // namespace
 

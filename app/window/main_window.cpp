@@ -7,18 +7,18 @@
 #include "app/window/document/files.h"
 #include "app/window/page.h"
 #include "app/window/panels/animation_bar.h"
+#include "app/window/panels/drop_frame.h"
 #include "app/window/panels/drop_note.h"
 #include "app/window/panels/map_panel.h"
 #include "app/window/panels/message_line.h"
 #include "app/window/panels/parameter_panel.h"
 #include "app/window/viewport/viewport.h"
+#include "app/window/widgets/dropping.h"
 #include "app/window/widgets/number_field.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDropEvent>
-#include <QMimeData>
 
 namespace relievo {
 namespace {
@@ -44,10 +44,11 @@ MainWindow::MainWindow()
     setCentralWidget(m_page);
     setMenuWidget(m_top);
     new DropNote(m_messages, this);
+    new DropFrame(m_viewport, this);
     connectAll();
     m_page->restore(*this);
     showPanels(m_page->panelsShown());
-    documentChanged(Changes(Change::Panes) | Change::View);
+    documentChanged();
     updateTitle();
 }
 
@@ -96,7 +97,7 @@ void MainWindow::run(Action action, bool on)
     case Action::Frame:
         return moveActiveCamera(framed(cameraOf(m_document.state(), std::size_t(m_viewport->activePane()))));
     case Action::ResetCamera:
-        return moveActiveCamera({});
+        return moveActiveCamera(framed({}));
     case Action::Smoother:
         return viewport().wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
     case Action::LightTheme:
@@ -115,7 +116,7 @@ void MainWindow::connectAll()
     connect(m_top, &TopBar::triggered, this, &MainWindow::run);
     connect(m_top, &TopBar::techniqueChosen, this, [this](const TechniqueRow& row) { setTechnique(row.key); });
     connect(m_top, &TopBar::viewChosen, this, [this](const ViewRow& row) { setView(row.key); });
-    connect(m_viewport, &Viewport::activePaneChanged, this, [this] { documentChanged(Change::Panes); });
+    connect(m_viewport, &Viewport::activePaneChanged, this, &MainWindow::documentChanged);
     connect(m_parameters, &ParameterPanel::scopeChanged, this, [this](Scope scope) {
         if (scope)
             m_viewport->setActivePane(int(*scope));
@@ -126,14 +127,11 @@ void MainWindow::connectAll()
     m_top->follow(m_document.undoStack());
 }
 
-void MainWindow::documentChanged(Changes what)
+void MainWindow::documentChanged()
 {
     const State& state = m_document.state();
     const Pane& active = state.panes[std::min(std::size_t(m_viewport->activePane()), state.panes.size() - 1)];
-    if (what & Change::Panes)
-        m_top->showTechnique(active.technique);
-    if (what & (Changes(Change::Panes) | Change::View))
-        m_top->showView(active.view);
+    m_top->tick(active.technique, active.view);
     m_top->action(Action::TwoPanes)->setChecked(state.panes.size() > 1);
     m_top->action(Action::Wireframe)->setChecked(state.parameters.wireframe);
 }
@@ -211,14 +209,14 @@ void MainWindow::changeEvent(QEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (const auto urls = event->mimeData()->urls(); !urls.isEmpty() && urls.front().isLocalFile())
-        event->acceptProposedAction();
+    if (!draggedFile(*event).isEmpty())
+        acceptCopy(*event);
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    event->acceptProposedAction();
-    m_files->openDropped(event->mimeData()->urls().front().toLocalFile()); // of several images the first finds its siblings
+    acceptCopy(*event);
+    m_files->openDropped(draggedFile(*event)); // of several images the first finds its siblings
 }
 
 } // namespace relievo

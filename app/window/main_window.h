@@ -16,7 +16,6 @@ class MapPanel;
 class MessageLine;
 class Page;
 class ParameterPanel;
-class TechniqueBar;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -33,7 +32,6 @@ public:
     AnimationBar& animation() { return *m_animation; }
     MapPanel& maps() { return *m_maps; }
     ParameterPanel& parameters() { return *m_parameters; }
-    TechniqueBar& techniques() { return m_top->techniques(); }
     MessageLine& messageLine() { return *m_line; }
     QAction* action(std::string_view key) const { return m_top->action(findAction(key)->action); } // of kActions
 
@@ -49,7 +47,7 @@ protected:
 private:
     void run(Action action, bool on);
     void connectAll();
-    void documentChanged(Changes what);
+    void documentChanged();
     void moveActiveCamera(const Camera& camera); // of the active pane, or the one that it shares
     void updateTitle();
     void setWireframe(bool on);

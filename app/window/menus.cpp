@@ -12,6 +12,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
+#include <QScrollArea>
 #include <QToolButton>
 
 namespace relievo {
@@ -107,7 +109,8 @@ QMenu* lazyMenu(QMenu* before, QAction* beforeAction, const QString& title, std:
 void showShortcuts(QWidget* parent)
 {
     QDialog* dialog = plainDialog(parent, QObject::tr("Mouse and keys"));
-    auto* grid = new QGridLayout(dialog);
+    auto* page = new QWidget;
+    auto* grid = new QGridLayout(page);
     grid->setContentsMargins(24, 16, 24, 24);
     grid->setHorizontalSpacing(24);
     grid->setVerticalSpacing(6);
@@ -123,6 +126,8 @@ void showShortcuts(QWidget* parent)
     for (const GestureRow& row : kGestures)
         add(0, qt(row.text), qt(row.does));
     add(0, QObject::tr("Wheel"), QObject::tr("move closer or away"));
+    for (const CameraKeyRow& row : kCameraKeys)
+        add(0, QKeySequence(row.key).toString(QKeySequence::NativeText), qt(row.does));
     add(0, QObject::tr("1, 2, 3 ... 9, 0, -"), QObject::tr("choose the view"));
     add(0, QObject::tr("Ctrl + 1, 2, 3 ..."), QObject::tr("choose the technique"));
     add(0, QObject::tr("In the panel"), {}, true);
@@ -134,6 +139,14 @@ void showShortcuts(QWidget* parent)
         if (!row.shortcut.empty())
             add(1, QKeySequence(qt(row.shortcut)).toString(QKeySequence::NativeText), qt(row.label).remove("..."));
     add(1, "F10", QObject::tr("Open the menus"));
+    auto* scroll = new QScrollArea; // on a small screen
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(page);
+    auto* layout = new QVBoxLayout(dialog);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
+    const QSize whole = page->sizeHint() + QSize(12, 2); // a scroll bar
+    dialog->resize(whole.boundedTo(dialog->screen()->availableSize() - QSize(32, 64)));
     dialog->show();
 }
 

@@ -8,6 +8,9 @@ class QSplitter;
 
 namespace relievo {
 
+class Segmented;
+
+// Where the window is too narrow for a panel on each side, both stand in one column, one at a time.
 class Page : public QWidget {
     Q_OBJECT
 public:
@@ -21,10 +24,18 @@ public:
     // Between sessions: where the window was, and how the page in it was divided.
     void restore(QWidget& window);
     void save(const QWidget& window) const;
+    QSize minimumSizeHint() const override; // of a narrow window, however wide it is now
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
 
 private:
     Parts m_parts;
     QSplitter* m_splitter;
+    QWidget *m_side, *m_tabLine; // the column on the right, and what chooses the panel in it
+    Segmented* m_tabs;
+    QByteArray m_wide; // how the splitter stood with three parts
+    bool m_isNarrow = false;
     bool m_panelsShown = true;
 };
 

@@ -3,13 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/top_bar.h"
 #include "app/window/document/files.h"
-#include "app/window/panels/technique_bar.h"
-#include "app/window/widgets/choice_list.h"
+#include "app/window/panels/choice_menus.h"
 #include "app/window/widgets/hairline.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QShortcut>
@@ -18,32 +16,6 @@
 
 namespace relievo {
 namespace {
-// One for each row of kViews, along the keyboard.
-constexpr std::string_view kViewKeys = "1234567890-=";
-static_assert(kViewKeys.size() >= kViews.size(), "a view without key");
-constexpr Qt::Key viewKey(std::size_t i)
-{
-    return Qt::Key(kViewKeys[i]); // Qt::Key_0 and its like are the characters' codes
-}
-
-// The keys of a row as a menu shows them. A shortcut of the item itself would make that of addKeys ambiguous.
-QString keyText(const QKeySequence& keys)
-{
-    return '\t' + keys.toString(QKeySequence::NativeText);
-}
-
-QKeySequence techniqueKeys(int i) // empty after the ninth
-{
-    return i < 9 ? QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)) : QKeySequence();
-}
-
-QLabel* dim(const QString& text)
-{
-    auto* label = new QLabel(text);
-    label->setProperty("role", "dim");
-    return label;
-}
-
 QFrame* ruler()
 {
     auto* rule = upright();
@@ -51,24 +23,12 @@ QFrame* ruler()
     return rule;
 }
 
-QComboBox* listOfViews()
-{
-    auto* list = new ChoiceList;
-    list->setObjectName("view");
-    for (const ViewRow& row : kViews) {
-        list->addItem(qt(row.label), qt(row.key));
-        list->setItemData(list->count() - 1, qt(row.help), Qt::ToolTipRole);
-    }
-    return list;
-}
 } // namespace
 
 TopBar::TopBar(Files& files, QWidget* window)
     : m_files(files)
     , m_menus(new QMenuBar)
     , m_actions(makeActions(window, m_menus, [this](Action action, bool on) { Q_EMIT triggered(action, on); }))
-    , m_techniques(new TechniqueBar)
-    , m_view(listOfViews())
 {
     m_menus->setObjectName("menu");
     m_menus->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
@@ -78,15 +38,9 @@ TopBar::TopBar(Files& files, QWidget* window)
     line->addWidget(m_menus);
     line->addWidget(ruler());
     line->addLayout(fileButtons());
-    line->addWidget(ruler());
-    line->addWidget(dim(tr("Technique")));
-    line->addWidget(m_techniques, 1);
-    line->addWidget(dim(tr("View")));
-    line->addWidget(m_view);
+    line->addStretch(1);
     for (const Action action : {Action::Wireframe, Action::TwoPanes, Action::Frame, Action::Panels})
         line->addWidget(toolButton(m_actions[action]));
-    connect(m_techniques, &TechniqueBar::chosen, this, &TopBar::techniqueChosen);
-    connect(m_view, &QComboBox::activated, this, [this](int index) { Q_EMIT viewChosen(kViews[std::size_t(index)]); });
     addTableMenus();
     addKeys(window);
 }
@@ -121,44 +75,29 @@ void TopBar::addTableMenus()
     lazyMenu(file, line, tr("Presets"), [this](QMenu& menu) { m_files.fillPresets(menu); });
     QMenu* view = menuOf(m_menus, "View");
     QAction* first = view->actions().front();
-    lazyMenu(view, first, tr("Technique"), [this](QMenu& menu) {
-        for (int i = 0; i < m_techniques->rows().size(); ++i) {
-            const TechniqueRow& row = *m_techniques->rows()[i];
-            QAction* action
-                = menu.addAction(qt(row.label) + keyText(techniqueKeys(i)), this, [this, &row] { Q_EMIT techniqueChosen(row); });
-            action->setToolTip(qt(row.help));
-        }
-    });
-    lazyMenu(view, first, tr("Show"), [this](QMenu& menu) {
-        for (std::size_t i = 0; i < kViews.size(); ++i) {
-            const ViewRow& row = kViews[i];
-            QAction* action
-                = menu.addAction(qt(row.label) + keyText(QKeySequence(viewKey(i))), this, [this, &row] { Q_EMIT viewChosen(row); });
-            action->setToolTip(qt(row.help));
-        }
-    });
+    lazyMenu(view, first, tr("Technique"),
+        [this](QMenu& menu) { fillTechniques(menu, m_technique, [this](const TechniqueRow& row) { Q_EMIT techniqueChosen(row); }); });
+    lazyMenu(
+        view, first, tr("Show"), [this](QMenu& menu) { fillViews(menu, m_view, [this](const ViewRow& row) { Q_EMIT viewChosen(row); }); });
 }
 
 // The menus above are filled when they open; their keys work always.
 void TopBar::addKeys(QWidget* window)
 {
-    for (int i = 0; i < m_techniques->rows().size() && !techniqueKeys(i).isEmpty(); ++i)
+    const QVector<const TechniqueRow*> techniques = drawnTechniques();
+    for (int i = 0; i < techniques.size() && !techniqueKeys(i).isEmpty(); ++i)
         connect(new QShortcut(techniqueKeys(i), window), &QShortcut::activated, this,
-            [this, i] { Q_EMIT techniqueChosen(*m_techniques->rows()[i]); });
+            [this, row = techniques[i]] { Q_EMIT techniqueChosen(*row); });
     for (std::size_t i = 0; i < kViews.size(); ++i)
-        connect(new QShortcut(QKeySequence(viewKey(i)), window), &QShortcut::activated, this, [this, i] { Q_EMIT viewChosen(kViews[i]); });
+        connect(new QShortcut(viewKeys(i), window), &QShortcut::activated, this, [this, i] { Q_EMIT viewChosen(kViews[i]); });
     connect(new QShortcut(QKeySequence(Qt::Key_F10), window), &QShortcut::activated, m_menus,
         [this] { m_menus->setActiveAction(m_menus->actions().front()); });
 }
 
-void TopBar::showTechnique(const std::string& key)
+void TopBar::tick(const std::string& technique, const std::string& view)
 {
-    m_techniques->show(key);
-}
-
-void TopBar::showView(const std::string& key)
-{
-    m_view->setCurrentIndex(m_view->findData(QString::fromStdString(key)));
+    m_technique = technique;
+    m_view = view;
 }
 
 void TopBar::follow(const QUndoStack& undo)

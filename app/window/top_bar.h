@@ -1,4 +1,4 @@
-// What stands above the picture: the menus, the tool buttons, the technique and the view.
+// What stands above the picture: the menus and the tool buttons.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -6,14 +6,12 @@
 #include "core/state/views.h"
 #include <QWidget>
 
-class QComboBox;
 class QHBoxLayout;
 class QUndoStack;
 
 namespace relievo {
 
 class Files;
-class TechniqueBar;
 struct TechniqueRow;
 
 class TopBar : public QWidget {
@@ -22,9 +20,7 @@ public:
     // window: its keys work everywhere in it.
     TopBar(Files& files, QWidget* window);
     QAction* action(Action which) const { return m_actions[which]; }
-    TechniqueBar& techniques() { return *m_techniques; }
-    void showTechnique(const std::string& key);
-    void showView(const std::string& key);
+    void tick(const std::string& technique, const std::string& view); // their keys, in the menus
     void follow(const QUndoStack& undo); // the actions for undo and redo name the step and are on when there is one
 
 Q_SIGNALS:
@@ -39,8 +35,7 @@ private:
     Files& m_files;
     QMenuBar* m_menus;
     Actions m_actions;
-    TechniqueBar* m_techniques;
-    QComboBox* m_view;
+    std::string m_technique, m_view; // keys of those that are ticked
 };
 
 } // namespace relievo

@@ -4,6 +4,7 @@
 #pragma once
 #include "core/ground/error.h"
 #include "core/ground/progress.h"
+#include "core/state/camera_view.h"
 #include "core/state/map_slots.h"
 #include <array>
 #include <cstdint>
@@ -74,6 +75,8 @@ struct Mesh {
     std::vector<MeshPart> parts; // at least one
     std::vector<MeshMaterial> materials; // empty when the file describes none; a part may name one that is not here
     glm::vec3 boundsMin{0.f}, boundsMax{0.f}; // m; of a mesh from a file with a deformation: of the pose at rest, as metresPerUV is
+    std::vector<glm::vec3>
+        outline; // m; of the same pose: the vertex furthest from the middle in each of some thousand directions; what a camera frames
     // sqrt(area in m2 / area in UV space), area-weighted over what is not plain (ARCHITECTURE.md, "Space, sign and unit"); > 0
     float metresPerUV = 1.f;
     bool fileHasUVs = true, fileHasNormals = true, fileHasTangents = false; // what the file held, before anything was made
@@ -82,6 +85,12 @@ struct Mesh {
     std::shared_ptr<const Deformation> deformation; // skeleton, morph targets and animations; null when the file has none
     Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped", "mesh-moved" (from far away) ...
 };
+
+// What the camera sees of the mesh; aspect = width / height.
+inline CameraView cameraOnto(const Mesh& mesh, const Camera& camera, float aspect)
+{
+    return cameraView(camera, mesh.boundsMin, mesh.boundsMax, aspect, mesh.outline);
+}
 
 // Which of mesh.parts show no relief: those that have none, and those of other materials than the chosen one. chosen: State::part; a name
 // that no part of the mesh has (of another mesh) chooses none.

@@ -72,7 +72,7 @@ Answer distances(std::span<const Step> steps, const State& state, std::size_t pa
         return failure(state.name, "there is no height map, so nothing is displaced", "Assign one");
     const Parameters parameters = effectiveParameters(state, pane);
     const Camera& camera = cameraOf(state, pane);
-    const CameraView view = cameraView(camera, resources.mesh->boundsMin, resources.mesh->boundsMax, float(width) / float(height));
+    const CameraView view = cameraOnto(*resources.mesh, camera, float(width) / float(height));
     Mesh mesh = posed(*resources.mesh, poseOf(*resources.mesh, parameters));
     const std::vector<char> plain = plainParts(*resources.mesh, state.part);
     for (std::size_t i = 0; i < mesh.parts.size(); ++i)

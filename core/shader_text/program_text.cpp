@@ -203,9 +203,15 @@ Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderR
     return program(meshVertex(features.posed, features.curved && !features.prisms, read), meshFragment(features, read));
 }
 
-Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read)
+Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read)
 {
     Assembly fragment(read);
+    if (behind == Backdrop::Gradient) {
+        fragment.file("output/display.glsl")
+            .generated(
+                linear ? "vec3 shownColor(vec3 color) { return color; }" : "vec3 shownColor(vec3 color) { return encodeSrgb(color); }");
+        return program(Assembly(read).file("vertex/background_vertex.glsl").finish(), fragment.file("output/gradient.glsl").finish());
+    }
     fragment.file("shading/environment.glsl");
     if (linear)
         fragment.generated("vec3 shownColor(vec3 color) { return color; }");

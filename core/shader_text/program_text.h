@@ -60,7 +60,7 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 
 // The programs of the renderer, GLSL 4.10.
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
-Expected<ProgramText> backgroundProgram(bool linear, const ShaderReader& read);
+Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read);
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
 // GLSL 4.10, or ES 3.00 as WebGL2 has it.
 enum class Dialect { Desktop, Es };

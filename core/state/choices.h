@@ -65,7 +65,7 @@ constexpr std::string_view wordOf(Shading shading)
 }
 
 // What is drawn behind the mesh.
-enum class Backdrop { Plain, Environment, Transparent };
+enum class Backdrop { Plain, Environment, Transparent, Gradient };
 constexpr std::string_view wordOf(Backdrop background)
 {
     switch (background) {
@@ -75,6 +75,8 @@ constexpr std::string_view wordOf(Backdrop background)
         return "environment";
     case Backdrop::Transparent:
         return "transparent";
+    case Backdrop::Gradient:
+        return "gradient";
     }
     return {};
 }

@@ -133,7 +133,9 @@ bool setCameraPart(Camera& camera, std::string_view key, std::string_view text)
     else if (key == "fov" && *number >= 1.f && *number <= 170.f)
         camera.fov = *number;
     else if (key == "distance" && *number > 0.f)
-        camera.distance = *number;
+        camera.distance = *number, camera.fill = 0.f; // unless that is said too
+    else if (key == "fill" && *number >= 0.f && *number <= 1.f)
+        camera.fill = *number;
     else
         return false;
     return true;
@@ -148,7 +150,7 @@ Expected<void> setCamera(Camera& camera, std::string_view text)
         const std::size_t equals = part.find('=');
         if (equals == part.npos || !setCameraPart(changed, part.substr(0, equals), part.substr(equals + 1)))
             return failure("--camera " + std::string(part), "this is not a camera setting",
-                "Write yaw=DEG,pitch=-90..90 DEG,distance=M above 0,target=X:Y:Z in M,fov=1..170 DEG, any of them");
+                "Write yaw=DEG,pitch=-90..90 DEG,distance=M above 0,target=X:Y:Z in M,fov=1..170 DEG,fill=0..1, any of them");
         text.remove_prefix(std::min(part.size() + 1, text.size()));
     }
     camera = changed;
@@ -164,6 +166,8 @@ std::string toText(const Camera& camera)
     std::string text = "yaw=" + number(camera.yaw) + ",pitch=" + number(camera.pitch) + ",fov=" + number(camera.fov);
     if (camera.distance)
         text += ",distance=" + number(*camera.distance);
+    if (camera.fill > 0.f)
+        text += ",fill=" + number(camera.fill);
     if (camera.target)
         text += ",target=" + number(camera.target->x) + ':' + number(camera.target->y) + ':' + number(camera.target->z);
     return text;

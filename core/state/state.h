@@ -20,6 +20,8 @@ struct Camera {
     float fov = 35.f; // degrees, vertical
     std::optional<float> distance; // m from eye to target; nothing: frames the mesh
     std::optional<glm::vec3> target; // m; nothing: the centre of the mesh
+    // Without distance: the share of the picture's width or height that the mesh fills, in (0, 1]; 0: room enough for its whole box.
+    float fill = 0.f;
     bool operator==(const Camera&) const = default;
 };
 

@@ -71,6 +71,8 @@ Json cameraJson(const Camera& camera)
     Json json = {{"yaw", camera.yaw}, {"pitch", camera.pitch}, {"fov", camera.fov}};
     if (camera.distance)
         json["distance"] = *camera.distance;
+    if (camera.fill > 0.f)
+        json["fill"] = camera.fill;
     if (camera.target)
         json["target"] = {camera.target->x, camera.target->y, camera.target->z};
     return json;
@@ -296,7 +298,7 @@ private:
     bool camera(const FoundJson& json, const std::string& place, Camera& out)
     {
         return each(json, place, [&](const std::string& key, const FoundJson& value) {
-            if (key != "yaw" && key != "pitch" && key != "fov" && key != "distance" && key != "target")
+            if (key != "yaw" && key != "pitch" && key != "fov" && key != "distance" && key != "target" && key != "fill")
                 return false;
             const auto isNumber = [](const FoundJson& one) { return one.is_number(); };
             const bool isPoint = key == "target" && value.is_array() && value.size() == 3 && std::ranges::all_of(value, isNumber);

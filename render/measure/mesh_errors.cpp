@@ -24,7 +24,7 @@ Expected<MeshRow> meshErrors(
     if (!image)
         return tl::unexpected(image.error());
     const Camera& camera = exact->question.camera;
-    const glm::vec3 eye = cameraView(camera, resources.mesh->boundsMin, resources.mesh->boundsMax, float(width) / float(height)).eye;
+    const glm::vec3 eye = cameraOnto(*resources.mesh, camera, float(width) / float(height)).eye;
     const double pixel = 2. * std::tan(0.5 * double(glm::radians(camera.fov))) / double(height); // of a metre's distance
     MeshRow errors{{}, 0., 0., 0., std::nan("")};
     double either = 0., both = 0.;

@@ -34,7 +34,8 @@ TEST_F(KeysTest, TheViewsAndTechniquesHaveTheirKeysAfterTheMenuWasOpenToo)
     for (QMenu* menu : window.findChildren<QMenu*>())
         if (menu->title() == "Show" || menu->title() == "Technique") {
             Q_EMIT menu->aboutToShow();
-            EXPECT_TRUE(menu->actions()[1]->text().endsWith("2")) << menu->actions()[1]->text().toStdString();
+            const QString second = menu->findChild<QAction*>(menu->title() == "Show" ? "color" : "bump")->text();
+            EXPECT_TRUE(second.endsWith("2")) << second.toStdString();
         }
     QTest::keyClick(&window, Qt::Key_5);
     EXPECT_EQ(state().panes.front().view, "fetches");

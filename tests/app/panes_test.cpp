@@ -111,7 +111,7 @@ TEST_F(PanesTest, AnUnlinkedPaneMovesAlone)
     EXPECT_EQ(state().parameters.lightYaw, Parameters().lightYaw);
     EXPECT_EQ(steps(), 1);
     window.action("reset-camera")->trigger(); // of the pane that was pressed last
-    EXPECT_EQ(*state().panes[1].camera, Camera{});
+    EXPECT_EQ(*state().panes[1].camera, framed({}));
     const Camera still = state().camera;
     window.action("frame")->trigger();
     EXPECT_EQ(state().camera, still);

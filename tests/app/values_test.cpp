@@ -50,7 +50,8 @@ TEST(SliderScale, WideRangesAreNotLinear)
 {
     EXPECT_EQ(scaleOf(row("tiling")).kind, SliderScale::Kind::Logarithmic);
     EXPECT_EQ(scaleOf(row("maxSteps")).kind, SliderScale::Kind::Logarithmic);
-    EXPECT_EQ(scaleOf(row("depth")).kind, SliderScale::Kind::Linear);
+    EXPECT_EQ(scaleOf(row("depth")).kind, SliderScale::Kind::Cubic);
+    EXPECT_EQ(scaleOf(row("midlevel")).kind, SliderScale::Kind::Linear);
     EXPECT_NEAR(scaleOf(row("tiling")).position(1.), 0.4, 1e-6);
 }
 

@@ -6,18 +6,20 @@
 #include "app/window/document/files.h"
 #include "app/window/document/recent_files.h"
 #include "app/window/main_window.h"
+#include "app/window/panels/choice_menus.h"
 #include "app/window/panels/map_panel.h"
 #include "app/window/panels/map_row.h"
 #include "app/window/panels/message_line.h"
 #include "app/window/panels/parameter_editor.h"
 #include "app/window/panels/parameter_panel.h"
-#include "app/window/panels/technique_bar.h"
+#include "app/window/viewport/overlays.h"
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/number_field.h"
 #include "app/window/widgets/segmented.h"
 #include "app/window/widgets/slider.h"
 #include <QAction>
 #include <QApplication>
+#include <QMenu>
 #include <QMimeData>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -60,6 +62,16 @@ protected:
     {
         const Resources& resources = window.assets().resources();
         return resources.accelerationMaps.missingFor(state(), *resources.material);
+    }
+    // Of the caption of a pane: "technique" or "view". Pressed, it opens a menu, whose item `key` is chosen.
+    void chooseInCaption(const char* what, const char* key, std::size_t pane = 0)
+    {
+        auto* button = window.viewport().findChildren<CaptionChoice*>(what)[qsizetype(pane)];
+        QTest::mouseClick(button, Qt::LeftButton);
+        auto* menu = button->findChild<QMenu*>();
+        ASSERT_NE(menu, nullptr);
+        menu->findChild<QAction*>(key)->trigger();
+        menu->close();
     }
     QString file(const char* name) { return folder.filePath(name); }
 

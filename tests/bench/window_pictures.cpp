@@ -4,9 +4,13 @@
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/document/editing.h"
 #include "app/window/document/files.h"
+#include "app/window/document/starting_scene.h"
 #include "app/window/main_window.h"
+#include "app/window/panels/map_panel.h"
 #include "app/window/panels/message_line.h"
+#include "app/window/viewport/overlays.h"
 #include "app/window/viewport/viewport.h"
+#include "app/window/widgets/segmented.h"
 #include "app/window/widgets/theme.h"
 #include <QAction>
 #include <QApplication>
@@ -14,10 +18,13 @@
 #include <QElapsedTimer>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMimeData>
+#include <QMouseEvent>
 #include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
+#include <QUrl>
 #include <cstdio>
 #include <functional>
 
@@ -76,11 +83,43 @@ void outlines(MainWindow& window)
     });
 }
 
+// The other panel of a narrow window.
+void showScene(MainWindow& window)
+{
+    auto* tabs = window.findChild<Segmented*>("panel");
+    const QPointF at = tabs->segment(1).center();
+    QMouseEvent press(QEvent::MouseButtonPress, at, tabs->mapToGlobal(at), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(tabs, &press);
+}
+
+void dragOver(MainWindow& window)
+{
+    static QMimeData data;
+    data.setUrls({QUrl::fromLocalFile("/home/anna/rock/rock_height.png")});
+    QDragEnterEvent enter({20, 20}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter);
+}
+
 const Scene kScenes[] = {
     {"first", {1280, 800}, Look::Dark, [](MainWindow&) {}},
     {"first-light", {1280, 800}, Look::Light, [](MainWindow&) {}},
-    {"wide", {1600, 1000}, Look::Dark,
-        [](MainWindow& window) { window.assets().propose("Mesh", [](State& state) { state.mesh = "sphere"; }); }},
+    {"wide", {1600, 1000}, Look::Dark, [](MainWindow&) {}},
+    {"small", {800, 600}, Look::Dark, [](MainWindow&) {}},
+    {"small-scene", {800, 600}, Look::Light, showScene},
+    {"smallest", {640, 360}, Look::Dark, twoPanes},
+    {"plane", {1280, 800}, Look::Light,
+        [](MainWindow& window) {
+            window.maps().setMesh("plane");
+            window.findChild<QAbstractButton*>("add-map")->click();
+        }},
+    {"techniques", {1280, 800}, Look::Dark, [](MainWindow& window) { window.viewport().findChild<CaptionChoice*>("technique")->click(); }},
+    {"drag", {1280, 800}, Look::Dark, dragOver},
+    {"file-box", {1280, 800}, Look::Dark, [](MainWindow& window) { window.action("open")->trigger(); }},
+    {"unsaved", {1280, 800}, Look::Light,
+        [](MainWindow& window) {
+            window.document().edit("Depth", [](State& state) { state.parameters.depth = 0.2f; });
+            window.close();
+        }},
     {"two", {1600, 1000}, Look::Dark, twoPanes},
     {"two-light", {1280, 800}, Look::Light,
         [](MainWindow& window) {
@@ -151,7 +190,7 @@ void take(const Scene& scene, const QString& folder)
     window.move(0, 0);
     window.resize(scene.size);
     window.show();
-    window.assets().openDocument("sample:bricks", State{});
+    window.assets().openDocument(kStartingSource, startingScene());
     workUntil([&] { return window.assets().ready() && !window.assets().background().busy(); });
     scene.prepare(window);
     workUntil([&] { return !window.assets().background().busy() && window.viewport().isSettled(); });

@@ -288,6 +288,24 @@ TEST(Renderer, TransparentBackgroundHasNoAlpha)
     EXPECT_EQ(picture(renderer, state, resourcesOf(state), "shaded", false, 64, 64).value(0, 0, 3), 1.f);
 }
 
+TEST(Renderer, TheGradientIsSoftGreyWhateverTheLight)
+{
+    context();
+    Renderer renderer;
+    State state = sampleState("flat", "sphere");
+    state.parameters.background = Backdrop::Gradient;
+    state.camera.distance = 8.f;
+    const Image image = picture(renderer, state, resourcesOf(state), "shaded", false, 256, 256);
+    const auto grey = [&](int x, int y) { return image.value(x, y, 1); };
+    EXPECT_GT(grey(128, 60), grey(2, 2) + 0.05f) << "lighter behind the middle";
+    for (int x = 0; x < 255; ++x) {
+        EXPECT_NEAR(grey(x, 20), grey(x + 1, 20), 3.f / 255.f) << "no edge, no band";
+        EXPECT_NEAR(image.value(x, 20, 0), image.value(x, 20, 2), 1e-3f);
+    }
+    state.parameters.exposure = 3.f;
+    EXPECT_EQ(picture(renderer, state, resourcesOf(state), "shaded", false, 256, 256).value(2, 2, 1), grey(2, 2));
+}
+
 TEST(Renderer, BrokenShaderKeepsTheLastPictureAndNamesTheLine)
 {
     context();

@@ -96,6 +96,7 @@ QMessageBox* question(QWidget* parent, const char* name, const QString& text, co
     box->setObjectName(name);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText); // names of files may look like marks
+    box->setIcon(QMessageBox::Warning);
     box->setText(text);
     box->setInformativeText(more);
     return box;
@@ -137,7 +138,7 @@ void askForOne(QWidget* parent, const QString& title, const QStringList& lines, 
 void askToSaveElsewhere(QWidget* parent, const QString& text, std::function<void()> saveAs)
 {
     auto* box = question(parent, "save-failed", QObject::tr("The project was not saved."), text);
-    box->setIcon(QMessageBox::NoIcon);
+    box->setIcon(QMessageBox::Critical);
     QPushButton* elsewhere = box->addButton(QObject::tr("Save as..."), QMessageBox::AcceptRole);
     box->setDefaultButton(elsewhere);
     box->addButton(QMessageBox::Cancel);

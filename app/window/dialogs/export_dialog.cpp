@@ -12,12 +12,14 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QShowEvent>
 #include <QTimer>
 #include <QVBoxLayout>
 
 namespace relievo {
 namespace {
+constexpr int kResultHeight = 96; // px, of what is told under the form
 constexpr int kToldFor = 30000; // ms that a success stands in the message line
 } // namespace
 
@@ -39,7 +41,12 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     m_result->setWordWrap(true);
     m_result->setObjectName("result");
     m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_result->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_result->hide();
+    auto* results = new QScrollArea; // its room is there from the start: the buttons under it stay where they are
+    results->setWidgetResizable(true);
+    results->setFixedHeight(kResultHeight);
+    results->setWidget(m_result);
     m_export->setDefault(true);
     m_export->setObjectName("run");
     m_cancel->setAutoDefault(false);
@@ -61,7 +68,7 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     layout->setSpacing(4 * kGrid);
     layout->addWidget(m_form);
     layout->addWidget(m_which);
-    layout->addWidget(m_result);
+    layout->addWidget(results);
     layout->addStretch(1);
     layout->addWidget(hairline());
     layout->addLayout(buttons);
@@ -199,7 +206,6 @@ void ExportDialog::tell(const Expected<Exported>& result)
     setRole(*m_result, result ? "" : "warning");
     m_result->setText(lines.join('\n'));
     m_result->show();
-    adjustSize();
     Q_EMIT finished(result.has_value());
 }
 

@@ -47,6 +47,8 @@ ExportForm::ExportForm(const Document& document, QWidget* parent)
     m_help->setWordWrap(true);
     m_help->setProperty("role", "dim");
     m_help->setFont(smallFont());
+    m_help->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_help->setFixedHeight(3 * QFontMetrics(m_help->font()).lineSpacing()); // of the longest: what is below stays where it is
     m_out->setMinimumWidth(320);
     m_out->setFixedHeight(kRowHeight);
     m_out->setObjectName("out");

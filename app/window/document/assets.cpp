@@ -26,7 +26,7 @@ void Assets::openDocument(const QString& source)
 {
     if (!isWholeDocument(source))
         return request(OpenInto{.source = source, .before = m_document.state()});
-    request(OpenDocument{.source = source, .before = m_document.state()});
+    request(OpenDocument{.source = source, .before = m_document.state(), .base = State{}}); // it says all, or means the default
 }
 
 void Assets::openInto(const QString& source, bool onlyMaterial)

@@ -4,6 +4,7 @@
 #include "app/window/document/files.h"
 #include "app/window/dialogs/dialogs.h"
 #include "app/window/document/recent_files.h"
+#include "app/window/document/starting_scene.h"
 #include "app/window/widgets/number_field.h"
 #include "app/window/widgets/text.h"
 #include "core/ground/shown_text.h"
@@ -63,7 +64,7 @@ bool Files::unsaved() const
 
 void Files::startNew()
 {
-    guard([this] { m_assets.openDocument("sample:bricks", State{}); });
+    guard([this] { m_assets.openDocument(kStartingSource, startingScene()); });
 }
 
 void Files::ask()

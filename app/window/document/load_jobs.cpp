@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/load_jobs.h"
+#include "app/window/document/starting_scene.h"
 #include "core/ground/file.h"
 #include "core/image/sets/texture_set.h"
 #include "core/scene/source.h"
@@ -102,10 +103,11 @@ bool isLight(const ParameterRow& row)
     return row.group == Group::Light || row.key == "lightSize";
 }
 
-// What the SOURCE is read on.
+// What the SOURCE is read on: what the window starts with, but for the tiling, which meshes of exports hold in their UVs.
 State groundFor(const OpenInto& job, const State& now)
 {
-    State ground;
+    State ground = startingScene();
+    ground.parameters.tiling = Parameters().tiling;
     ground.camera = now.camera;
     ground.environment = now.environment;
     for (const ParameterRow& row : kParameters)
@@ -179,7 +181,7 @@ bool isWholeDocument(const QString& source)
 
 OpenDocument firstDocument(const State& now, const std::optional<Error>& insteadOf)
 {
-    return {.source = "sample:bricks", .before = now, .base = State{}, .counted = false, .insteadOf = insteadOf};
+    return {.source = kStartingSource, .before = now, .base = startingScene(), .counted = false, .insteadOf = insteadOf};
 }
 
 bool standsInForAnother(const Job& job)

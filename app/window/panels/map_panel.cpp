@@ -5,16 +5,57 @@
 #include "app/window/dialogs/dialogs.h"
 #include "app/window/panels/map_row.h"
 #include "app/window/panels/scene_sections.h"
+#include "app/window/widgets/dropping.h"
+#include "app/window/widgets/painting.h"
 #include "app/window/widgets/text.h"
 #include "core/gltf/pictures.h"
 #include "core/mesh/mesh.h"
+#include <QAbstractButton>
 #include <QDir>
 #include <QFileInfo>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace relievo {
+namespace {
+constexpr float kLeastPitchOfPlane = 15.f; // degrees
+
+// The line over the maps that the material lacks; a file that is dragged onto it opens it.
+class AddMap : public QAbstractButton {
+public:
+    AddMap()
+    {
+        setObjectName("add-map");
+        setText(MapPanel::tr("Add map"));
+        setToolTip(MapPanel::tr("Shows the kinds of map that the material does not have yet"));
+        setCheckable(true);
+        setAcceptDrops(true);
+        setFixedHeight(28);
+        setFocusPolicy(Qt::TabFocus);
+        setCursor(Qt::PointingHandCursor);
+    }
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override
+    {
+        event->ignore(); // a drop here is the window's
+        if (!draggedFile(*event).isEmpty())
+            setChecked(true);
+    }
+    void enterEvent(QEnterEvent*) override { update(); }
+    void leaveEvent(QEvent*) override { update(); }
+    void paintEvent(QPaintEvent*) override
+    {
+        SmoothPainter painter(this);
+        relievo::icon(isChecked() ? "down" : "right").paint(&painter, QRect(26, (height() - 12) / 2, 12, 12));
+        painter.setPen(underMouse() || hasFocus() ? accent(palette()) : dimText(palette()));
+        painter.drawText(rect().adjusted(60, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
+    }
+};
+} // namespace
 
 MapPanel::MapPanel(Document& document, Assets& assets, QWidget* parent)
     : QWidget(parent)
@@ -29,14 +70,17 @@ MapPanel::MapPanel(Document& document, Assets& assets, QWidget* parent)
     column->setSpacing(0);
     auto* maps = new Section(tr("Maps"));
     addMaps(*maps);
+    column->addWidget(m_mesh); // above the maps, whose rows come and go
     column->addWidget(maps);
-    column->addWidget(m_mesh);
     column->addWidget(m_environment);
     column->addStretch(1);
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // its coming would move the rest
     scroll->setWidget(content);
+    QScrollBar* bar = scroll->verticalScrollBar();
+    connect(bar, &QScrollBar::rangeChanged, bar, [bar](int least, int most) { bar->setEnabled(most > least); }); // else nothing is seen
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
@@ -56,6 +100,10 @@ void MapPanel::addMaps(Section& section)
 {
     section.body()->setContentsMargins(0, 0, 0, 4);
     section.body()->setSpacing(0);
+    m_lines = section.body();
+    m_add = new AddMap;
+    m_lines->addWidget(m_add);
+    connect(m_add, &QAbstractButton::toggled, this, &MapPanel::arrangeMaps);
     for (const MapKindRow& kind : kMapKinds) {
         auto* line = new MapRow(kind);
         section.body()->addWidget(line);
@@ -79,6 +127,25 @@ void MapPanel::addMaps(Section& section)
                 [&kind, channel](State& state) { state.slots[std::size_t(kind.kind)].channel = channel; });
         });
     }
+}
+
+// The maps that there are, and the heights that most else comes from; the others under a line that shows and hides them.
+void MapPanel::arrangeMaps()
+{
+    const auto stands = [](const MapRow* line) { return line->isFilled() || line->kind().kind == MapKind::Height; };
+    QVector<MapRow*> standing, others;
+    for (MapRow* line : m_rows)
+        (stands(line) ? standing : others).append(line);
+    if (standing != m_standing) {
+        m_standing = standing;
+        m_add->setChecked(false);
+        for (MapRow* line : standing + others)
+            m_lines->addWidget(line); // again, in this order
+        m_lines->insertWidget(int(standing.size()), m_add);
+    }
+    for (MapRow* line : m_rows)
+        line->setVisible(stands(line) || m_add->isChecked());
+    m_add->setVisible(!others.isEmpty());
 }
 
 void MapPanel::assign(MapKind kind, const QString& file)
@@ -114,7 +181,11 @@ void MapPanel::locate(MapKind kind, const QString& file)
 void MapPanel::setMesh(const QString& nameOrFile)
 {
     if (!m_assets.locatesMesh(nameOrFile))
-        return m_assets.propose(tr("Mesh"), [nameOrFile](State& state) { state.mesh = nameOrFile.toStdString(), state.part.clear(); });
+        return m_assets.propose(tr("Mesh"), [nameOrFile](State& state) {
+            state.mesh = nameOrFile.toStdString(), state.part.clear();
+            if (nameOrFile == "plane" && std::abs(state.camera.pitch) < kLeastPitchOfPlane)
+                state.camera.pitch = Camera{}.pitch; // nothing is seen from its edge
+        });
     m_assets.propose(tr("Locate mesh"), [nameOrFile, others = locateOthers(nameOrFile)](State& state) {
         others(state);
         state.mesh = nameOrFile.toStdString(); // the part stays
@@ -146,6 +217,7 @@ void MapPanel::refresh()
     const Resources& loaded = m_assets.resources();
     for (MapRow* line : m_rows)
         line->show(state.slots[std::size_t(line->kind().kind)], loaded.material.get());
+    arrangeMaps();
     const bool noMesh = m_assets.missingMesh() && loaded.meshName == state.mesh;
     m_mesh->show(state, noMesh ? nullptr : loaded.mesh.get(), noMesh);
     m_environment->show(state, m_assets.missingEnvironment() && loaded.environmentName == state.environment);

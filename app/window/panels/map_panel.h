@@ -6,6 +6,9 @@
 #include <QVector>
 #include <QWidget>
 
+class QAbstractButton;
+class QVBoxLayout;
+
 namespace relievo {
 
 class EnvironmentSection;
@@ -29,10 +32,13 @@ public:
 private:
     std::function<void(State&)> locateOthers(const QString& file) const; // missing maps that lie beside `file`
     void addMaps(Section& section);
+    void arrangeMaps();
     void refresh();
     Document& m_document;
     Assets& m_assets;
-    QVector<MapRow*> m_rows;
+    QVector<MapRow*> m_rows, m_standing; // all, and those that are always in view
+    QAbstractButton* m_add; // shows and hides the others
+    QVBoxLayout* m_lines;
     MeshSection* m_mesh;
     EnvironmentSection* m_environment;
 };

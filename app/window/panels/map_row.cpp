@@ -5,18 +5,16 @@
 #include "app/window/document/stand_ins.h"
 #include "app/window/panels/thumbnails.h"
 #include "app/window/widgets/choice_list.h"
+#include "app/window/widgets/dropping.h"
 #include "app/window/widgets/elided_label.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
-#include <QDropEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMimeData>
 #include <QPainter>
 #include <QToolButton>
-#include <QUrl>
 #include <algorithm>
 
 namespace relievo {
@@ -143,7 +141,10 @@ void MapRow::paintEvent(QPaintEvent*)
     const QRect frame(12 + (kThumbnail - size) / 2, (height() - size) / 2, size, size);
     if (!m_thumbnail.isNull()) {
         const QSize shown = m_thumbnail.size() / m_thumbnail.devicePixelRatio();
-        painter.drawPixmap(QRect(frame.center() - QPoint(shown.width() / 2 - 1, shown.height() / 2 - 1), shown), m_thumbnail);
+        const QRect at(frame.center() - QPoint(shown.width() / 2 - 1, shown.height() / 2 - 1), shown);
+        painter.drawPixmap(at, m_thumbnail);
+        painter.setPen(lineColor(palette())); // a white map ends somewhere in bright surroundings too
+        painter.drawRect(QRectF(at).adjusted(0.5, 0.5, -0.5, -0.5));
     } else {
         painter.setPen(QPen(m_missing ? warningColor(palette()) : dimText(palette()), 1, Qt::DashLine));
         painter.drawRoundedRect(QRectF(frame).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
@@ -173,11 +174,11 @@ void MapRow::keyPressEvent(QKeyEvent* event)
 
 void MapRow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (event->mimeData()->urls().size() != 1 || !event->mimeData()->urls().front().isLocalFile())
+    if (event->mimeData()->urls().size() != 1 || draggedFile(*event).isEmpty())
         return;
     m_dropHere = true;
     update();
-    event->acceptProposedAction();
+    acceptCopy(*event);
 }
 
 void MapRow::dragLeaveEvent(QDragLeaveEvent*)
@@ -190,8 +191,8 @@ void MapRow::dropEvent(QDropEvent* event)
 {
     m_dropHere = false;
     update();
-    event->acceptProposedAction();
-    Q_EMIT dropped(event->mimeData()->urls().front().toLocalFile());
+    acceptCopy(*event);
+    Q_EMIT dropped(draggedFile(*event));
 }
 
 } // namespace relievo

@@ -22,6 +22,7 @@ public:
     // `material` may be null (nothing loaded yet). A slot whose file is not in the material is shown as missing.
     void show(const MapSlot& slot, const Material* material);
     bool isMissing() const { return m_missing; }
+    bool isFilled() const { return m_filled; }
 
 Q_SIGNALS:
     void assignWanted(); // ask for a file

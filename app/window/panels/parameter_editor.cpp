@@ -18,7 +18,7 @@
 
 namespace relievo {
 namespace {
-constexpr int kNumberWidth = 60, kUnitWidth = 44; // px
+constexpr int kNumberWidth = 60, kUnitWidth = 42; // px
 constexpr int kSegmentedLetters = 14; // choices with longer texts in all become a list
 
 // All labels stand in a column as wide as the longest.

@@ -4,15 +4,14 @@
 #include "app/window/panels/scene_sections.h"
 #include "app/window/dialogs/dialogs.h"
 #include "app/window/widgets/choice_list.h"
+#include "app/window/widgets/dropping.h"
 #include "app/window/widgets/elided_label.h"
 #include "app/window/widgets/segmented.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include "core/mesh/mesh.h"
 #include "core/state/shapes.h"
-#include <QDropEvent>
 #include <QFileInfo>
-#include <QMimeData>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -82,12 +81,14 @@ MeshSection::MeshSection(QWidget* parent)
     facts->setSpacing(0);
     facts->addWidget(m_name);
     facts->addWidget(m_facts);
+    // What is chosen is above what comes and goes with the choice: nothing moves away under the mouse.
     auto* line = new QHBoxLayout;
-    line->addLayout(facts, 1);
-    line->addWidget(open, 0, Qt::AlignTop);
-    body()->addWidget(m_shapes);
-    body()->addWidget(m_parts);
+    line->addWidget(m_shapes);
+    line->addStretch(1);
+    line->addWidget(open);
     body()->addLayout(line);
+    body()->addLayout(facts);
+    body()->addWidget(m_parts);
     connect(m_parts, &QComboBox::activated, this, [this](int index) { Q_EMIT partChosen(m_parts->itemData(index).toString()); });
     connect(m_shapes, &Segmented::chosen, this, [this](int index) { Q_EMIT chosen(qt(kShapes[std::size_t(index)])); });
     connect(open, &QToolButton::clicked, this,
@@ -154,7 +155,7 @@ bool EnvironmentSection::event(QEvent* event)
     const auto urls = drop->mimeData()->urls();
     if (urls.size() != 1 || !fits(FileKind::Panorama, urls.front().toLocalFile()))
         return Section::event(event);
-    drop->acceptProposedAction();
+    acceptCopy(*drop);
     if (event->type() == QEvent::Drop)
         Q_EMIT chosen(urls.front().toLocalFile());
     return true;

@@ -9,6 +9,7 @@
 namespace relievo {
 namespace {
 constexpr double kDegreesPerPixel = 0.4;
+constexpr float kFramedFill = 0.87f; // of the pane
 constexpr float kClosest = 0.001f, kFarthest = 10000.f; // m
 
 float wrapped(double degrees)
@@ -80,6 +81,7 @@ Camera framed(const Camera& camera)
     Camera next = camera;
     next.target.reset();
     next.distance.reset();
+    next.fill = kFramedFill;
     return next;
 }
 

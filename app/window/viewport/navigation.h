@@ -35,6 +35,21 @@ inline constexpr auto kGestures = std::to_array<GestureRow>({
 });
 std::optional<Gesture> gestureFor(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, bool lightKey);
 
+// What a key does to the camera while nothing is dragged: about the mesh by so many pixels of a drag, closer by steps of the wheel.
+struct CameraKeyRow {
+    Qt::Key key;
+    double right, down, closer;
+    std::string_view does;
+};
+inline constexpr auto kCameraKeys = std::to_array<CameraKeyRow>({
+    {Qt::Key_Left, -25., 0., 0., "orbit to the left"},
+    {Qt::Key_Right, 25., 0., 0., "orbit to the right"},
+    {Qt::Key_Up, 0., 25., 0., "orbit upwards"},
+    {Qt::Key_Down, 0., -25., 0., "orbit downwards"},
+    {Qt::Key_PageUp, 0., 0., 1., "move closer"},
+    {Qt::Key_PageDown, 0., 0., -1., "move away"},
+});
+
 // dx, dy: pixels to the right and down; view: what the camera sees now; height: of the picture in pixels.
 Camera orbited(const Camera& camera, double dx, double dy);
 Camera panned(const Camera& camera, const CameraView& view, double dx, double dy, double height); // the target follows the hand

@@ -160,6 +160,8 @@ void Navigator::wheel(const QWheelEvent& event)
 
 void Navigator::keyPressed(const QKeyEvent& event)
 {
+    if (!m_drag)
+        moveByKey(event.key());
     if (event.isAutoRepeat())
         return;
     m_keys.insert(event.key());
@@ -169,6 +171,17 @@ void Navigator::keyPressed(const QKeyEvent& event)
         m_flyClock.start();
         m_flying.start(kFlyTick);
     }
+}
+
+void Navigator::moveByKey(int key)
+{
+    const auto row = std::ranges::find(kCameraKeys, key, [](const CameraKeyRow& one) { return int(one.key); });
+    if (row == kCameraKeys.end() || !m_picture.isReady())
+        return;
+    m_pane = m_picture.activePane();
+    const Camera turned = orbited(cameraOf(m_document.state(), m_pane), row->right, row->down);
+    moveCamera(row->closer == 0. ? turned : zoomed(turned, m_picture.view(m_pane).camera, row->closer));
+    Q_EMIT wheeled();
 }
 
 void Navigator::keyReleased(const QKeyEvent& event)

@@ -32,6 +32,7 @@ public:
         std::function<bool()> isReady; // there is something to move around
         std::function<std::size_t(QPointF position)> paneAt;
         std::function<PaneView(std::size_t pane)> view;
+        std::function<std::size_t()> activePane; // what keys move
     };
     // Hears the events of `widget`, which owns it.
     Navigator(Document& document, const Picture& picture, QWidget* widget);
@@ -54,6 +55,7 @@ private:
     void release(const QMouseEvent& event);
     void wheel(const QWheelEvent& event);
     void keyPressed(const QKeyEvent& event);
+    void moveByKey(int key);
     void keyReleased(const QKeyEvent& event);
     void letGo(); // the focus is lost
     void endDrag();

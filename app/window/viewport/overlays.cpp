@@ -15,7 +15,7 @@ namespace relievo {
 namespace {
 // The picture is dark in either look, so what lies over it is light on dark in either.
 const QColor kShade(0, 0, 0, 150), kBright(240, 240, 240), kQuiet(190, 190, 190);
-constexpr int kPadding = 8; // px
+constexpr int kPadding = 8, kArrow = 14; // px
 
 void shade(QPainter& painter, const QRect& rect)
 {
@@ -47,58 +47,90 @@ QString paneLetter(std::size_t pane)
     return QString(QChar('A' + int(pane)));
 }
 
-PaneCaption::PaneCaption(QWidget* parent) : QAbstractButton(parent)
+CaptionChoice::CaptionChoice(const char* name, const QString& tip, QWidget* parent) : QAbstractButton(parent)
 {
+    setObjectName(name);
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::PointingHandCursor);
-    setToolTip(QObject::tr("Choose the technique of this picture"));
+    setToolTip(tip);
 }
 
-void PaneCaption::show(const QString& letter, const QString& technique, const QString& cost, bool active)
+QSize CaptionChoice::sizeHint() const
 {
-    setAccessibleName((letter + u' ' + technique + u' ' + cost).trimmed());
+    return {fontMetrics().horizontalAdvance(text()) + 1 + kArrow + 2 * kPadding, kRowHeight}; // 1: advances are rounded
+}
+
+void CaptionChoice::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (underMouse() || isDown()) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(255, 255, 255, 36));
+        painter.drawRoundedRect(rect().adjusted(2, 2, -2, -2), 3, 3);
+    }
+    painter.setPen(kBright);
+    const QRect room = rect().adjusted(kPadding, 0, -kPadding - kArrow, 0);
+    painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, fontMetrics().elidedText(text(), Qt::ElideRight, room.width()));
+    painter.setPen(QPen(kQuiet, 1.2));
+    const QPointF tip(width() - kPadding - 2.5, height() / 2. + 2);
+    painter.drawPolyline(QPolygonF({tip + QPointF(-3.5, -3.5), tip, tip + QPointF(3.5, -3.5)}));
+}
+
+PaneCaption::PaneCaption(QWidget* parent)
+    : QWidget(parent)
+    , m_technique(new CaptionChoice("technique", tr("Choose the technique of this picture"), this))
+    , m_view(new CaptionChoice("view", tr("Choose what this picture shows"), this))
+{
+    setCursor(Qt::ArrowCursor);
+}
+
+void PaneCaption::show(const QString& letter, const QString& technique, const QString& view, const QString& cost, bool active)
+{
+    setAccessibleName((letter + u' ' + technique + u' ' + view + u' ' + cost).simplified());
     // Only what differs is painted again: a repaint beside the picture costs as much as a small picture.
-    if (std::tie(letter, technique, cost, active) == std::tie(m_letter, m_technique, m_cost, m_active))
+    if (m_technique->text() != technique)
+        m_technique->setText(technique);
+    if (m_view->text() != view)
+        m_view->setText(view);
+    if (std::tie(letter, cost, active) == std::tie(m_letter, m_cost, m_active))
         return;
-    m_letter = letter, m_technique = technique, m_cost = cost, m_active = active;
+    m_letter = letter, m_cost = cost, m_active = active;
     update();
 }
 
-int PaneCaption::wide(bool withCost) const
+int PaneCaption::wide(const QString& text) const
 {
-    const auto advance = [&](const QString& text) {
-        return text.isEmpty() ? 0 : fontMetrics().horizontalAdvance(text) + 1 + kPadding;
-    }; // 1: advances are rounded
-    return advance(m_letter) + advance(m_technique) + (withCost && !m_cost.isEmpty() ? advance(m_cost) + kPadding : 0) + kPadding;
-}
-
-QSize PaneCaption::sizeHint() const
-{
-    return {wide(true), kRowHeight};
+    return text.isEmpty() ? 0 : fontMetrics().horizontalAdvance(text) + 1 + kPadding;
 }
 
 void PaneCaption::fit(int room)
 {
-    resize(wide(true) <= room ? wide(true) : std::clamp(room, 0, wide(false)), kRowHeight);
+    const int start = m_letter.isEmpty() ? 0 : kPadding + wide(m_letter) - kPadding / 2;
+    int technique = m_technique->sizeHint().width(), view = m_view->sizeHint().width();
+    const int most = std::max(room - start, 0);
+    if (technique + view > most) {
+        view = std::min(view, std::max(most * 2 / 5, most - technique));
+        technique = std::min(technique, most - view);
+    }
+    m_technique->setGeometry(start, 0, technique, kRowHeight);
+    m_view->setGeometry(start + technique, 0, view, kRowHeight);
+    const int end = start + technique + view, whole = end + kPadding + wide(m_cost);
+    m_costAt = !m_cost.isEmpty() && whole <= room ? end + kPadding : 0;
+    resize(m_costAt ? whole : end, kRowHeight);
 }
 
 void PaneCaption::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     shade(painter, rect());
-    int x = kPadding;
-    const auto put = [&](const QString& text, const QColor& color) {
+    const auto put = [&](int x, const QString& text, const QColor& color) {
         painter.setPen(color);
         painter.drawText(QRect(x, 0, width(), height()), Qt::AlignVCenter | Qt::AlignLeft, text);
-        x += fontMetrics().horizontalAdvance(text) + kPadding;
     };
-    if (!m_letter.isEmpty())
-        put(m_letter, m_active ? accent(palette()).lighter(120) : kQuiet);
-    put(fontMetrics().elidedText(m_technique, Qt::ElideRight, width() - x - kPadding), kBright);
-    if (!m_cost.isEmpty() && width() >= wide(true)) {
-        x += kPadding;
-        put(m_cost, kQuiet);
-    }
+    put(kPadding, m_letter, m_active ? accent(palette()).lighter(120) : kQuiet);
+    if (m_costAt)
+        put(m_costAt, m_cost, kQuiet);
     if (m_active && !m_letter.isEmpty()) {
         painter.setPen(QPen(accent(palette()), 1));
         painter.setBrush(Qt::NoBrush);

@@ -14,21 +14,37 @@ QString techniqueText(const State& state, std::size_t pane);
 
 QString paneLetter(std::size_t pane); // "A" for the first
 
-// A chip in a pane's corner: letter (of several panes), technique, and measured cost. Pressed, it offers the techniques.
-class PaneCaption : public QAbstractButton {
+// A word with an arrow in a caption; pressed, it offers others.
+class CaptionChoice : public QAbstractButton {
+    Q_OBJECT
+public:
+    CaptionChoice(const char* name, const QString& tip, QWidget* parent);
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void enterEvent(QEnterEvent*) override { update(); }
+    void leaveEvent(QEvent*) override { update(); }
+};
+
+// A chip in a pane's corner: letter (of several panes), technique and view, each of which offers the others, and measured cost.
+class PaneCaption : public QWidget {
     Q_OBJECT
 public:
     explicit PaneCaption(QWidget* parent);
-    void show(const QString& letter, const QString& technique, const QString& cost, bool active);
-    void fit(int room); // px; where it is too narrow for all, the cost goes first, then the technique is cut
-    QSize sizeHint() const override;
+    void show(const QString& letter, const QString& technique, const QString& view, const QString& cost, bool active);
+    void fit(int room); // px; where it is too narrow for all, the cost goes first, then technique and view are cut
+    CaptionChoice* technique() const { return m_technique; }
+    CaptionChoice* view() const { return m_view; }
 
 protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
-    int wide(bool withCost) const; // px
-    QString m_letter, m_technique, m_cost;
+    int wide(const QString& text) const; // px
+    CaptionChoice *m_technique, *m_view;
+    QString m_letter, m_cost;
+    int m_costAt = 0; // px; 0: there is no room for it
     bool m_active = false;
 };
 

@@ -2,11 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/pane_overlays.h"
-#include "app/window/panels/technique_bar.h"
+#include "app/window/panels/choice_menus.h"
 #include "app/window/viewport/mesh_reference.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include "core/state/views.h"
+#include <QMenu>
 #include <algorithm>
 
 namespace relievo {
@@ -24,6 +25,12 @@ Range rangeOf(const State& state, std::size_t pane)
 {
     const ViewRow* view = findView(state.panes[pane].view);
     return view && view->isHeat ? Range{view, double(heatRange(effectiveParameters(state, pane), *view))} : Range{};
+}
+
+QString viewText(const State& state, std::size_t pane)
+{
+    const ViewRow* view = findView(state.panes[pane].view);
+    return view ? qt(view->label) : QString::fromStdString(state.panes[pane].view);
 }
 
 QString costText(const Measurement& measured)
@@ -52,7 +59,8 @@ void PaneOverlays::makeFor(std::size_t panes)
         const std::size_t pane = m_captions.size();
         m_captions.push_back(new PaneCaption(m_viewport));
         m_legends.push_back(new HeatLegend(m_viewport));
-        QObject::connect(m_captions.back(), &PaneCaption::clicked, m_viewport, [this, pane] { chooseTechnique(pane); });
+        QObject::connect(m_captions.back()->technique(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseTechnique(pane); });
+        QObject::connect(m_captions.back()->view(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseView(pane); });
     }
 }
 
@@ -74,7 +82,8 @@ void PaneOverlays::update(const std::vector<std::optional<Measurement>>& measure
         QString cost = pane < measured.size() && measured[pane] ? costText(*measured[pane]) : QString();
         if (!cost.isEmpty() && reference.busy() && reference.isShown(pane) && !measured[pane]->error)
             cost += QObject::tr("   tracing %1 %").arg(reference.percent());
-        m_captions[pane]->show(count == 1 ? QString() : paneLetter(pane), techniqueText(state, pane), cost, pane == activePane);
+        m_captions[pane]->show(
+            count == 1 ? QString() : paneLetter(pane), techniqueText(state, pane), viewText(state, pane), cost, pane == activePane);
         if (range.view)
             m_legends[pane]->show(qt(range.view->label), qt(range.view->unit), range.most);
     }
@@ -117,17 +126,41 @@ void PaneOverlays::say(const QString& hint)
     placeHint();
 }
 
+namespace {
+// A menu that deletes itself, shown under the button when it has been filled.
+void popUpUnder(QWidget& button, const std::function<void(QMenu&)>& fill)
+{
+    auto* menu = new QMenu(&button);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fill(*menu);
+    menu->popup(button.mapToGlobal(QPoint(0, kRowHeight + kGrid)));
+}
+} // namespace
+
 // The document may have changed while the menu is open.
 void PaneOverlays::chooseTechnique(std::size_t pane)
 {
     m_captionPressed(pane);
-    const QPoint below = m_captions[pane]->mapToGlobal(QPoint(0, kRowHeight + kGrid));
-    popUpTechniques(m_viewport, below, m_document.state().panes[pane].technique, [this, pane](const TechniqueRow& row) {
+    const auto choose = [this, pane](const TechniqueRow& row) {
         m_document.edit(QObject::tr("Technique %1").arg(qt(row.label)), [&](State& state) {
             if (pane < state.panes.size())
                 state.panes[pane].technique = row.key;
         });
-    });
+    };
+    popUpUnder(
+        *m_captions[pane]->technique(), [&](QMenu& menu) { fillTechniques(menu, m_document.state().panes[pane].technique, choose); });
+}
+
+void PaneOverlays::chooseView(std::size_t pane)
+{
+    m_captionPressed(pane);
+    const auto choose = [this, pane](const ViewRow& row) {
+        m_document.edit(QObject::tr("View %1").arg(qt(row.label)), [&](State& state) {
+            if (pane < state.panes.size())
+                state.panes[pane].view = row.key;
+        });
+    };
+    popUpUnder(*m_captions[pane]->view(), [&](QMenu& menu) { fillViews(menu, m_document.state().panes[pane].view, choose); });
 }
 
 } // namespace relievo

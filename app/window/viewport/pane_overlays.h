@@ -28,6 +28,7 @@ public:
 
 private:
     void chooseTechnique(std::size_t pane);
+    void chooseView(std::size_t pane);
     void placeHint();
     void makeFor(std::size_t panes);
     QWidget* m_viewport;

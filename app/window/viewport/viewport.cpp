@@ -24,12 +24,13 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     , m_navigator(new Navigator(document,
           {.isReady = [this] { return m_assets.ready(); },
               .paneAt = [this](QPointF at) { return paneAt(areas(), at * devicePixelRatioF()).value_or(std::size_t(m_activePane)); },
-              .view = [this](std::size_t pane) { return view(pane); }},
+              .view = [this](std::size_t pane) { return view(pane); },
+              .activePane = [this] { return std::size_t(m_activePane); }},
           this))
     , m_overlays(this, document, [this](std::size_t pane) { setActivePane(int(pane)); })
 {
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(320, 240);
+    setMinimumSize(200, 160);
     setUpdateBehavior(QOpenGLWidget::PartialUpdate);
     for (QTimer* timer : {&m_rest, &m_measuring, &m_smoothing})
         timer->setSingleShot(true);
@@ -100,8 +101,7 @@ Navigator::PaneView Viewport::view(std::size_t pane) const
     const std::vector<PaneArea> all = areas();
     const PaneArea& area = all[std::min(pane, all.size() - 1)];
     const Mesh& mesh = *m_assets.resources().mesh;
-    return {cameraView(cameraOf(m_document.state(), pane), mesh.boundsMin, mesh.boundsMax, area.aspect()),
-        double(area.height) / devicePixelRatioF()};
+    return {cameraOnto(mesh, cameraOf(m_document.state(), pane), area.aspect()), double(area.height) / devicePixelRatioF()};
 }
 
 void Viewport::documentChanged(Changes what)

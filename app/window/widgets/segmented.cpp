@@ -36,7 +36,7 @@ void Segmented::setCurrent(int index)
 int Segmented::width(int index) const
 {
     const Item& item = m_items[index];
-    return item.icon.isNull() ? fontMetrics().horizontalAdvance(item.text) + 2 * kSegmentPadding : 32;
+    return item.icon.isNull() ? fontMetrics().horizontalAdvance(item.text) + 2 * kSegmentPadding : 28;
 }
 
 QSize Segmented::sizeHint() const

@@ -16,8 +16,9 @@ public:
     double value() const { return m_value; }
     void setValue(double value); // without signals
     QPoint handle() const; // centre, px
-    QSize sizeHint() const override { return {96, 20}; }
-    QSize minimumSizeHint() const override { return {48, 20}; }
+    QSize sizeHint() const override { return {kShortest, 20}; }
+    QSize minimumSizeHint() const override { return {kShortest, 20}; }
+    static constexpr int kShortest = 120; // px
 
 Q_SIGNALS:
     void pressed();

@@ -16,6 +16,15 @@ double roundStep(double x)
     return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
 }
 
+// Whether what is usual lies in the first tenth of the range.
+bool isMostlySmall(const ParameterRow& row)
+{
+    static const Parameters defaults;
+    const Value value = get(defaults, row);
+    const float* usual = std::get_if<float>(&value);
+    return usual && *usual > 0.f && *usual <= 0.1f * row.max;
+}
+
 // For four digits that count.
 int decimalsOf(double value)
 {
@@ -70,7 +79,7 @@ SliderScale scaleOf(const ParameterRow& row)
     SliderScale scale{SliderScale::Kind::Linear, row.min, row.max, kindOf(row) == ValueKind::Whole};
     if (row.min > 0 && row.max / row.min >= 100)
         scale.kind = SliderScale::Kind::Logarithmic;
-    else if (row.min == 0 && row.max >= 10 && !scale.whole)
+    else if (row.min == 0 && !scale.whole && (row.max >= 10 || isMostlySmall(row)))
         scale.kind = SliderScale::Kind::Cubic;
     else if (row.min == -row.max && row.unit == "tile")
         scale.kind = SliderScale::Kind::SignedCubic;

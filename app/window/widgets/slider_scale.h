@@ -9,7 +9,8 @@ namespace relievo {
 
 // Maps value to position in [0, 1] and back; both monotone, ends map to ends.
 struct SliderScale {
-    // Logarithmic: positive and at least a hundredfold. Cubic: from 0 to 10 or more, fine near 0. SignedCubic: the same about 0.
+    // Logarithmic: positive and at least a hundredfold. Cubic: from 0 to 10 or more, or to ten times the default or more; fine
+    // near 0. SignedCubic: the same about 0.
     enum class Kind { Linear, Logarithmic, Cubic, SignedCubic };
     Kind kind = Kind::Linear;
     double min = 0, max = 1;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/widgets/theme.h"
+#include "app/window/widgets/own_icons.h"
 #include "app/window/widgets/text.h"
 #include <QApplication>
 #include <QFile>
@@ -11,7 +12,6 @@
 #include <QPixmap>
 #include <QSettings>
 #include <QStyle>
-#include <QStyleFactory>
 #include <QSvgRenderer>
 #include <QWidget>
 
@@ -22,8 +22,8 @@ struct LookRow {
 };
 constexpr LookRow kLooks[] = {
     // name     window     field      raised     hovered    line       text       dim        accent     onAccent   warning    error
-    {"dark", "#282828", "#1f1f1f", "#363636", "#404040", "#3a3a3a", "#d8d8d8", "#8c8c8c", "#5b9bd5", "#101820", "#e0a84a", "#f08078"},
-    {"light", "#eeeeee", "#ffffff", "#e2e2e2", "#d6d6d6", "#cdcdcd", "#202020", "#6e6e6e", "#2f74b5", "#ffffff", "#a86400", "#b3261e"},
+    {"dark", "#282828", "#1f1f1f", "#363636", "#404040", "#3a3a3a", "#d8d8d8", "#b0b0b0", "#5b9bd5", "#101820", "#e0a84a", "#f08078"},
+    {"light", "#eeeeee", "#ffffff", "#e2e2e2", "#d6d6d6", "#cdcdcd", "#202020", "#565656", "#2f74b5", "#ffffff", "#7f4c00", "#b3261e"},
 };
 
 // Families with digits of equal width, best first.
@@ -118,8 +118,11 @@ private:
 void applyLook(QApplication& application, Look look)
 {
     const LookRow& row = kLooks[std::size_t(look)];
-    if (application.style()->name() != "fusion")
-        application.setStyle(QStyleFactory::create("Fusion"));
+    static bool s_styled = false;
+    if (!s_styled) { // a style sheet stands around it and hides its name
+        application.setStyle(new OwnIcons);
+        s_styled = true;
+    }
     application.setFont(baseFont());
     application.setPalette(paletteOf(row));
     application.setStyleSheet(styleSheet(row));

@@ -60,6 +60,35 @@ void measureBounds(Mesh& mesh)
     }
 }
 
+// The directions are the fields of a cube around the middle.
+void measureOutline(Mesh& mesh)
+{
+    constexpr int kFields = 32; // along each side of the cube
+    constexpr float kNone = -1.f;
+    struct Furthest {
+        float distance2 = kNone;
+        glm::vec3 position{0.f};
+    };
+    std::vector<Furthest> furthest(std::size_t(6 * kFields * kFields));
+    const glm::vec3 middle = 0.5f * (mesh.boundsMin + mesh.boundsMax);
+    const auto field = [](float along) { return std::clamp(int((along + 1.f) * 0.5f * kFields), 0, kFields - 1); };
+    for (const Vertex& vertex : mesh.vertices) {
+        const glm::vec3 from = vertex.position - middle, size = glm::abs(from);
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        if (!(size[axis] > 0.f))
+            continue;
+        const int face = 2 * axis + (from[axis] < 0.f ? 1 : 0);
+        const int row = field(from[(axis + 1) % 3] / size[axis]), column = field(from[(axis + 2) % 3] / size[axis]);
+        Furthest& most = furthest[std::size_t((face * kFields + row) * kFields + column)];
+        if (const float distance2 = glm::dot(from, from); distance2 > most.distance2)
+            most = {distance2, vertex.position};
+    }
+    mesh.outline.clear();
+    for (const Furthest& one : furthest)
+        if (one.distance2 != kNone)
+            mesh.outline.push_back(one.position);
+}
+
 float largestSide(const Mesh& mesh)
 {
     const glm::vec3 size = mesh.boundsMax - mesh.boundsMin;
@@ -162,6 +191,8 @@ void refreshFrames(Mesh& mesh, bool renewSize)
     measureBounds(mesh);
     std::vector<float> weights;
     const double measured = setJacobians(mesh, weights);
+    if (renewSize)
+        measureOutline(mesh);
     if (renewSize)
         mesh.metresPerUV = measured > 1e-12 && measured < 1e12 ? float(measured) : largestSide(mesh);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)

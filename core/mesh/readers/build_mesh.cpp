@@ -342,6 +342,7 @@ void measureAtRest(Mesh& mesh)
     refreshFrames(rest, true);
     mesh.boundsMin = rest.boundsMin;
     mesh.boundsMax = rest.boundsMax;
+    mesh.outline = std::move(rest.outline);
     mesh.metresPerUV = rest.metresPerUV;
     if (mesh.deformation->clips.empty() && mesh.deformation->targets.empty()) {
         mesh.vertices = std::move(rest.vertices);

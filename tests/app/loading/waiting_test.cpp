@@ -35,12 +35,8 @@ protected:
     {
         ASSERT_TRUE(waitFor([&] { return seen() && !reference().busy() && window.viewport().isSettled(); }));
     }
-    // The technique's button, pressed though it is down already.
-    void chooseAgain()
-    {
-        auto* buttons = window.findChild<Segmented*>("techniques");
-        QTest::mouseClick(buttons, Qt::LeftButton, Qt::NoModifier, buttons->segment(buttons->current()).center());
-    }
+    // The technique, though it is chosen already.
+    void chooseAgain() { chooseInCaption("technique", state().panes[0].technique.c_str()); }
 };
 constexpr const char* kTracing = "against the flat relief until";
 } // namespace

@@ -19,7 +19,33 @@ static Mesh shape(std::string_view key)
     return mesh.value_or(Mesh{});
 }
 
+// The share of the picture's width or height that the mesh takes, whichever is larger.
+static float filled(const Mesh& mesh, const Camera& camera, float aspect)
+{
+    const CameraView view = cameraOnto(mesh, camera, aspect);
+    float most = 0.f;
+    for (const Vertex& vertex : mesh.vertices) {
+        const glm::vec4 clip = view.clipFromView * view.viewFromWorld * glm::vec4(vertex.position, 1.f);
+        most = std::max({most, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+    }
+    return most;
+}
+
 class Shapes : public testing::TestWithParam<std::string_view> { };
+
+TEST_P(Shapes, FillsThePictureAsTheCameraSays)
+{
+    const Mesh mesh = shape(GetParam());
+    for (const float aspect : {0.5f, 1.f, 1.8f})
+        for (const float pitch : {0.f, 8.f, 35.f, 90.f})
+            for (const float yaw : {-100.f, 0.f, 30.f}) {
+                Camera camera;
+                camera.yaw = yaw, camera.pitch = pitch, camera.fill = 0.87f;
+                const float share = filled(mesh, camera, aspect);
+                EXPECT_GE(share, 0.85f) << pitch << ' ' << yaw << ' ' << aspect;
+                EXPECT_LE(share, 0.90f) << pitch << ' ' << yaw << ' ' << aspect;
+            }
+}
 
 TEST_P(Shapes, IsOneMetreAndCentred)
 {

@@ -147,11 +147,11 @@ TEST(State, SetParameterTellsKeyAndRange)
 TEST(State, CameraTextReadsBack)
 {
     Camera camera;
-    ASSERT_TRUE(setCamera(camera, "yaw=12.5,pitch=-89,distance=2.25,target=1:-2:0.1,fov=50"));
+    ASSERT_TRUE(setCamera(camera, "yaw=12.5,pitch=-89,distance=2.25,target=1:-2:0.1,fov=50,fill=0.87"));
     Camera other;
     ASSERT_TRUE(setCamera(other, toText(camera)));
     EXPECT_EQ(other, camera);
-    for (const char* wrong : {"yaw", "yaw=x", "pitch=91", "fov=0", "distance=0", "target=1:2", "roll=3", "yaw=inf"})
+    for (const char* wrong : {"yaw", "yaw=x", "pitch=91", "fov=0", "distance=0", "target=1:2", "roll=3", "yaw=inf", "fill=1.2", "fill=-1"})
         EXPECT_FALSE(setCamera(camera, wrong)) << wrong;
     EXPECT_EQ(other, camera);
 }

@@ -85,6 +85,16 @@ TEST(StateJson, NamesInMessagesAreShortAndEscaped)
     }
 }
 
+TEST(StateJson, WhatTheMeshFillsComesBack)
+{
+    State state;
+    state.camera.fill = 0.87f;
+    const auto read = fromJson(State{}, toJson(state, fs::current_path()), fs::current_path(), "x");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->state.camera, state.camera);
+    EXPECT_EQ(toJson(State{}, fs::current_path()).find("fill"), std::string::npos) << "files say it only where it is used";
+}
+
 TEST(StateJson, PanesHoldViewsCamerasAndLightsOfTheirOwn)
 {
     const auto read = fromJson(State(), R"({"relievo":1,"view":"depth","camera":{"yaw":5},"panes":[{"technique":"relief"},
