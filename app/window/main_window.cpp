@@ -48,8 +48,6 @@ MainWindow::MainWindow()
     connectAll();
     m_page->restore(*this);
     showPanels(m_page->panelsShown());
-    m_top->action(Action::LightTheme)->setChecked(savedLook() == Look::Light);
-    m_top->action(Action::Smoother)->setChecked(viewport().wantedSamples() > Viewport::kSamples);
     documentChanged();
     updateTitle();
 }
@@ -76,6 +74,8 @@ void MainWindow::run(Action action, bool on)
         return m_files->save();
     case Action::SaveAs:
         return m_files->saveAs();
+    case Action::Reload:
+        return m_assets.readAgain();
     case Action::Export:
         return showExport();
     case Action::Quit:
@@ -100,7 +100,7 @@ void MainWindow::run(Action action, bool on)
     case Action::ResetCamera:
         return moveActiveCamera(framed({}));
     case Action::Smoother:
-        return viewport().setWantedSamples(on ? Viewport::kMostSamples : Viewport::kSamples);
+        return viewport().wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
     case Action::LightTheme:
         return setLook(on ? Look::Light : Look::Dark);
     case Action::Panels:

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/menus.h"
 #include "app/window/viewport/navigation.h"
+#include "app/window/viewport/samples_at_rest.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include <QAction>
@@ -40,6 +41,16 @@ QLabel* dimLabel(const QString& text)
 }
 } // namespace
 
+namespace {
+// By the settings; what the State decides follows it.
+bool isOnAtStart(Action action)
+{
+    return action == Action::LightTheme ? savedLook() == Look::Light
+        : action == Action::Smoother    ? SamplesAtRest().wanted() > SamplesAtRest::kUsual
+                                        : false;
+}
+} // namespace
+
 QMenu* menuOf(QMenuBar* bar, std::string_view title)
 {
     for (QAction* action : bar->actions())
@@ -61,6 +72,7 @@ Actions makeActions(QWidget* window, QMenuBar* bar, const std::function<void(Act
         action->setObjectName(qt(row.key));
         action->setShortcut(QKeySequence(qt(row.shortcut)));
         action->setCheckable(row.toggles);
+        action->setChecked(isOnAtStart(row.action));
         action->setToolTip(tip(row));
         if (!row.icon.empty())
             action->setIcon(icon(row.icon));

@@ -83,6 +83,7 @@ Answer distances(std::span<const Step> steps, const State& state, std::size_t pa
     PixelDistances pixels;
     for (const Step& step : steps) {
         detail.coarser = step.coarser;
+        detail.maxTriangles = std::size_t(float(DisplacedMesh::Detail().maxTriangles) / std::max(1.f, step.coarser * step.coarser));
         const auto surface = DisplacedMesh::build(mesh, field, parameters, detail, progress.part(step.from, 0.5f * (step.from + step.to)));
         if (!surface)
             return tl::unexpected(surface.error());

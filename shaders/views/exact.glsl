@@ -1,7 +1,19 @@
-// What the exact search finds along a pixel's ray.
+// What the exact search finds along a pixel's ray, searched once however often it is asked for.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
 struct Exact {
     bool found;
     float ahead; // of the search's hit, across the surface, share of the relief's depth; positive: that is deeper
 };
+Exact exactAnswer = Exact(false, 0.0f);
+bool isExactKnown = false;
+
+Exact exactAlong(Surface surface); // views/exact_ray.glsl or views/exact_prisms.glsl
+
+Exact exactOf(Surface surface)
+{
+    if (!isExactKnown)
+        exactAnswer = exactAlong(surface);
+    isExactKnown = true;
+    return exactAnswer;
+}

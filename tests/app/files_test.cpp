@@ -42,10 +42,10 @@ TEST_F(WindowTest, ADropIsOneStepWhereWorkWouldBeLost)
     drop(window, writeImage("wall_height.png"));
     settle();
     EXPECT_EQ(steps(), 2);
-    EXPECT_FLOAT_EQ(state().parameters.depth, 0.3f);
     window.action("undo")->trigger();
     settle();
     EXPECT_EQ(state().slots, before);
+    EXPECT_FLOAT_EQ(state().parameters.depth, 0.3f);
     EXPECT_EQ(window.assets().resources().material->slots, before) << "the data follows undo";
 }
 

@@ -41,8 +41,8 @@ TEST_F(WindowTest, AnimationPlaysPausesAndScrubsWithoutUndoSteps)
 // In one undo step with it; deeper is the artist's to choose, and is told.
 TEST_F(WindowTest, ANewMeshStartsWithADepthThatFitsIt)
 {
-    const float before = 0.15f;
-    window.document().edit("deep", [](State& s) { s.parameters.depth = 0.15f; });
+    const float before = 0.4f;
+    window.document().edit("deep", [](State& s) { s.parameters.depth = 0.4f; });
     const int stepsBefore = steps();
     window.maps().setMesh("character");
     ASSERT_TRUE(waitFor([&] { return state().mesh == "character" && window.assets().upToDate(); }));
@@ -54,7 +54,7 @@ TEST_F(WindowTest, ANewMeshStartsWithADepthThatFitsIt)
         return std::ranges::any_of(window.messages().all(), [](const Message& m) { return m.text.contains("deeper than the mesh"); });
     };
     EXPECT_FALSE(isTold());
-    window.document().edit("deeper", [](State& s) { s.parameters.depth = 0.2f; });
+    window.document().edit("deeper", [](State& s) { s.parameters.depth = 0.5f; });
     EXPECT_TRUE(isTold());
     window.document().undoStack().undo();
     EXPECT_FALSE(isTold());

@@ -124,15 +124,16 @@ TEST_F(PanesTest, AnUnlinkedPaneMovesAlone)
 TEST_F(PanesTest, OnePaneIsSmoothedAgainAfterTheOthersAreGone)
 {
     show({Pane{"relief"}, Pane{"bump"}});
-    ASSERT_TRUE(waitFor([&] { return window.viewport().smoothSamples() == window.viewport().wantedSamples(); }));
+    ASSERT_TRUE(waitFor([&] { return window.viewport().smoothSamples() == window.viewport().samplesAtRest().wanted(); }));
     bool began = false;
     QObject::connect(&window.viewport(), &Viewport::painted, &window.viewport(), [&] {
-        began = began || (window.viewport().smoothSamples() > 0 && window.viewport().smoothSamples() < window.viewport().wantedSamples());
+        began = began
+            || (window.viewport().smoothSamples() > 0 && window.viewport().smoothSamples() < window.viewport().samplesAtRest().wanted());
     });
     window.action("two-panes")->trigger();
     ASSERT_TRUE(waitFor([&] { return window.viewport().isSettled(); }));
     EXPECT_TRUE(began) << "sample by sample";
-    EXPECT_EQ(window.viewport().smoothSamples(), window.viewport().wantedSamples());
+    EXPECT_EQ(window.viewport().smoothSamples(), window.viewport().samplesAtRest().wanted());
 }
 
 // As many as wanted, from 16 to 256, then nothing more is done; the choice is remembered.
@@ -140,21 +141,22 @@ TEST_F(PanesTest, AtRestEdgesAreSmoothedAndThenTheWindowIsIdle)
 {
     Viewport& picture = window.viewport();
     ASSERT_TRUE(waitFor([&] { return picture.isSettled(); }));
-    EXPECT_EQ(picture.smoothSamples(), Viewport::kLeastSamples);
+    EXPECT_EQ(picture.smoothSamples(), SamplesAtRest::kLeast);
+    QTest::qWait(50); // the last picture is painted
     int painted = 0;
     QObject::connect(&picture, &Viewport::painted, &picture, [&] { ++painted; });
     QTest::qWait(200);
     EXPECT_EQ(painted, 0);
     EXPECT_FALSE(window.action("smoother")->isChecked());
     window.action("smoother")->trigger();
-    EXPECT_EQ(picture.wantedSamples(), Viewport::kMostSamples);
-    ASSERT_TRUE(waitFor([&] { return picture.isSettled() && picture.smoothSamples() > Viewport::kLeastSamples; }));
+    EXPECT_EQ(picture.samplesAtRest().wanted(), SamplesAtRest::kMost);
+    ASSERT_TRUE(waitFor([&] { return picture.isSettled() && picture.smoothSamples() > SamplesAtRest::kLeast; }));
     EXPECT_LT(painted, 16) << "shown when twice as many have been averaged";
     MainWindow again;
     EXPECT_TRUE(again.action("smoother")->isChecked());
-    EXPECT_EQ(again.viewport().wantedSamples(), Viewport::kMostSamples);
+    EXPECT_EQ(again.viewport().samplesAtRest().wanted(), SamplesAtRest::kMost);
     window.action("smoother")->trigger();
-    EXPECT_EQ(picture.wantedSamples(), Viewport::kSamples);
+    EXPECT_EQ(picture.samplesAtRest().wanted(), SamplesAtRest::kUsual);
 }
 
 TEST_F(PanesTest, APresetBringsNumbersAndLeavesTheEyeAndTheView)

@@ -38,7 +38,7 @@ protected:
     void SetUp() override
     {
         QSettings().clear();
-        window.viewport().setWantedSamples(Viewport::kLeastSamples); // soon at rest
+        window.viewport().wantSamples(SamplesAtRest::kLeast); // soon at rest
         window.show();
         window.activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(&window));

@@ -244,6 +244,21 @@ TEST(ErrorView, IsSummedUp)
     EXPECT_EQ(numbersOf(doubtful).rmse, 0.);
 }
 
+// A mesh too large to be cut as finely as wanted says so pixel by pixel.
+TEST(ErrorView, ADisplacedMeshThatIsTooCoarseIsNotSure)
+{
+    State state = stateOn("torus", "relief");
+    state.parameters.tiling = 64.f, state.parameters.depth = 0.5f;
+    const Resources resources = resourcesOf(state);
+    Warnings coarse;
+    const auto traced = sureDistances(state, 0, resources, 1600, 1200, coarse);
+    ASSERT_TRUE(traced);
+    EXPECT_FALSE(coarse.empty());
+    const float depth = physicalDepth(state.parameters, resources.mesh->metresPerUV);
+    const auto& uncertain = (*traced)->pixels.uncertain;
+    EXPECT_GT(std::ranges::count_if(uncertain, [&](float off) { return off > 0.01f * depth; }), 10000);
+}
+
 TEST(ObjectShadows, SpheresShadeThePlane)
 {
     const auto context = WindowlessContext::create();

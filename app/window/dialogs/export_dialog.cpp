@@ -141,7 +141,7 @@ void ExportDialog::run()
     if (!m_assets.ready() || !m_assets.upToDate())
         return tell(failure(ErrorCode::NotReady, m_document.name().toStdString(), "its files are not loaded",
             "Wait until they are, or clear what is missing"));
-    if (m_assets.missingMesh()) // what would be written is as deep as the mesh is large
+    if (m_assets.missingMesh() && !m_assets.missingMesh()->asBefore) // what would be written is as deep as the mesh is large
         return tell(failure(ErrorCode::NotFound, m_document.state().mesh,
             "this mesh is not there, and its size decides the depth in metres", "Put it back, or choose another one"));
     const QString out = m_form->completePath(); // what is written is what is shown

@@ -6,12 +6,12 @@
 #include <utility>
 
 namespace relievo {
-constexpr const char* kFirstSource = "sample:bricks"; // the window is never empty
 
 Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObject(parent), m_document(document), m_messages(messages)
 {
     connect(&document, &Document::changed, this, &Assets::documentChanged);
     connect(&document, &Document::choseAgain, this, &Assets::choseAgain);
+    connect(&m_watch, &FileWatch::changed, this, &Assets::filesChanged);
     connect(&m_background, &Background::failed, this, [this](const QString& what) {
         if (const QueuedJob* job = m_queue.running())
             end(job->id, Error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"});
@@ -24,37 +24,17 @@ Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObjec
 
 void Assets::openDocument(const QString& source)
 {
+    if (!isWholeDocument(source))
+        return request(OpenInto{.source = source, .before = m_document.state()});
+    request(OpenDocument{.source = source, .before = m_document.state(), .base = State{}}); // it says all, or means the default
+}
+
+void Assets::openInto(const QString& source, bool onlyMaterial)
+{
     if (isWholeDocument(source))
-        request(OpenDocument{.source = source, .before = m_document.state(), .base = State{}}); // it says all, or means the default
-    else
-        request(OpenInto{.source = source, .before = m_document.state()});
-}
-
-void Assets::openDocument(const QString& source, const State& base, bool counted)
-{
-    request(OpenDocument{.source = source, .before = m_document.state(), .base = base, .counted = counted});
-}
-
-void Assets::openState(const State& state, const Warnings& warnings, const QString& file)
-{
-    request(OpenState{.state = state, .before = m_document.state(), .warnings = warnings, .file = file});
-}
-
-void Assets::openInto(const QString& source)
-{
-    if ((m_document.file().isEmpty() && !m_document.isModified()) || isWholeDocument(source))
         return openDocument(source);
-    request(OpenInto{.source = source, .before = m_document.state(), .asStep = true});
-}
-
-void Assets::propose(const QString& text, StateChange change)
-{
-    request(EditNeeds{.text = text, .change = std::move(change)});
-}
-
-void Assets::assign(const QString& text, MapKind kind, const std::string& file)
-{
-    request(assignment(text, kind, file));
+    const bool holdsWork = !m_document.file().isEmpty() || m_document.isModified();
+    request(OpenInto{.source = source, .before = m_document.state(), .asStep = holdsWork, .onlyMaterial = onlyMaterial});
 }
 
 void Assets::dropChanges()
@@ -119,11 +99,8 @@ void Assets::tellRefused(const Job& job, const Error& why)
         return m_messages.set("follow", why);
     m_messages.set("load", why);
     Q_EMIT refused();
-    const auto* opening = std::get_if<OpenDocument>(&job);
-    if (isOpening(job) && !ready() && !m_queue.hasOpenings() && !(opening && opening->insteadOf))
-        m_queue.request(
-            OpenDocument{.source = kFirstSource, .before = m_document.state(), .base = State{}, .counted = false, .insteadOf = why},
-            m_document.state());
+    if (isOpening(job) && !ready() && !m_queue.hasOpenings() && !standsInForAnother(job))
+        m_queue.request(firstDocument(m_document.state(), why), m_document.state());
 }
 
 void Assets::cancelled()
@@ -135,7 +112,7 @@ void Assets::cancelled()
     Q_EMIT refused();
     endChanges();
     if (!ready())
-        openDocument(kFirstSource, State{}, false);
+        request(firstDocument(m_document.state()));
     else if (!m_store.isComplete(m_document.state()))
         stopped(); // what was to be followed after it
 }
@@ -151,10 +128,10 @@ void Assets::finish(const Job& job, const Loaded& loaded)
 {
     const auto bring = [this, job, loaded] {
         tellLoaded(job, loaded, m_messages);
+        const Before before{m_store.shown().files, m_document.state(), m_document.began()};
         show(loaded.shown);
         applyLoaded(job, loaded, m_document);
-        if (const auto* opening = std::get_if<OpenDocument>(&job); opening && opening->insteadOf)
-            m_messages.set("load", *opening->insteadOf); // after the change, which clears it
+        tellApplied(job, loaded, before, m_document, m_messages);
     };
     if (!askFirst || !losesWork(job, m_document))
         return bring();
@@ -167,18 +144,25 @@ void Assets::finish(const Job& job, const Loaded& loaded)
 void Assets::show(const Shown& shown)
 {
     m_store.show(shown);
+    m_watch.watch(shown.files);
     tellShown(shown, m_messages);
     Q_EMIT resourcesChanged();
 }
 
 void Assets::documentChanged(Changes what)
 {
-    if (what & ~(Changes(Change::Camera) | Change::Moment))
-        m_messages.clear("load"); // the work goes on without what was refused
-    if (ready() && what & ~(Changes(Change::Camera) | Change::Moment))
-        tellDepth(m_document.state(), resources(), m_messages);
-    if (what & ~(Changes(Change::Camera) | Change::Moment | Change::View | Change::Name))
+    const Changes work = what & ~(Changes(Change::Camera) | Change::Moment);
+    if (work)
+        tellEdited(m_document.state(), ready() ? &resources() : nullptr, m_messages);
+    if (work & ~(Changes(Change::View) | Change::Name))
         follow();
+}
+
+void Assets::filesChanged(const FileNames& files)
+{
+    m_store.readAgain(files);
+    m_queue.followAgain();
+    follow();
 }
 
 // What was stopped or failed is tried once more.

@@ -4,17 +4,20 @@
 #pragma once
 #include "app/window/document/background.h"
 #include "app/window/document/document.h"
+#include "app/window/document/file_watch.h"
 #include "app/window/document/load_queue.h"
 #include "app/window/document/messages.h"
 #include "app/window/document/resource_store.h"
 #include <QObject>
 #include <functional>
+#include <utility>
 
 namespace relievo {
 
 // Everything here returns at once. What needs files waits its turn (LoadQueue) and is then shown (ResourceStore).
 // What was edited while files were read stays. A failure leaves document and data as they were and stands in the messages under "load".
-// Files of a document that have moved do not keep it from being shown: defaults stand in for them until they are back.
+// Files of a document that have moved do not keep it from being shown: defaults stand in for them until they are back. Those that other
+// programs change while they are shown are read again, which is no change of the document.
 class Assets : public QObject {
     Q_OBJECT
 public:
@@ -31,21 +34,28 @@ public:
 
     // Whether the files that the document names are those that are loaded (acceleration maps and what has moved may be missing).
     bool upToDate() const { return m_store.isLoaded(m_document.state()); }
-    void lookAgain() { follow(); } // files may have been put back
+    void lookAgain() { m_watch.look(); } // files may have been changed or put back
+    void readAgain() { filesChanged(namesOf(m_store.shown().files)); } // all files, changed or not
 
-    // Opens a SOURCE (resources/help/command-line.md, "Sources") as a new document. Maps keep the present mesh, camera and parameters; a
-    // project replaces all.
+    // Opens a SOURCE (resources/help/command-line.md, "Sources") as a new document: a project replaces all; others take the file's values
+    // and else defaults, and keep camera, light and technique.
     void openDocument(const QString& source);
-    void openDocument(const QString& source, const State& base, bool counted = true); // replaces all; counted: among the recent files
+    void openDocument(const QString& source, const State& base) // replaces all
+    {
+        request(OpenDocument{.source = source, .before = m_document.state(), .base = base});
+    }
     // file: the project that it belongs to, "" for untitled.
-    void openState(const State& state, const Warnings& warnings, const QString& file = {});
-    // Brings maps into the present document, as one undo step, when that holds work; else as openDocument.
-    void openInto(const QString& source);
+    void openState(const State& state, const Warnings& warnings, const QString& file = {})
+    {
+        request(OpenState{.state = state, .before = m_document.state(), .warnings = warnings, .file = file});
+    }
+    // Into the present document, as one undo step, when that holds work; else as openDocument. onlyMaterial: the present mesh stays.
+    void openInto(const QString& source, bool onlyMaterial = false);
 
     // An edit that needs other files: they are loaded first, and the document changes only when all that is new could be read.
-    void propose(const QString& text, StateChange change);
+    void propose(const QString& text, StateChange change) { request(EditNeeds{.text = text, .change = std::move(change)}); }
     // The map of one slot, as its name and pixels suggest (slotByHand); "" clears it.
-    void assign(const QString& text, MapKind kind, const std::string& file);
+    void assign(const QString& text, MapKind kind, const std::string& file) { request(assignment(text, kind, file)); }
 
     // Edits that wait for their files and will come to the present document: work that is not saved yet.
     bool changesPending() const { return m_queue.changesPending(); }
@@ -70,6 +80,7 @@ private:
     void finish(const Job& job, const Loaded& loaded);
     void show(const Shown& shown);
     void documentChanged(Changes what);
+    void filesChanged(const FileNames& files);
     void choseAgain();
     void follow();
     void stopped();
@@ -78,6 +89,7 @@ private:
     ResourceStore m_store;
     LoadQueue m_queue;
     Background m_background; // works for the job that runs
+    FileWatch m_watch; // over the files that are shown
 };
 
 } // namespace relievo

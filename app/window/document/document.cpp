@@ -136,6 +136,7 @@ void Document::start(const State& state, const QString& file)
 {
     m_undo.clear();
     m_file = file;
+    m_began = state;
     ++m_gesture;
     replace(state);
     Q_EMIT started();

@@ -52,6 +52,7 @@ public:
     Expected<void> save(const QString& file);
 
     bool isModified() const { return !m_undo.isClean(); }
+    const State& began() const { return m_began; } // as it was opened
     const QString& file() const { return m_file; }
     QString name() const; // of the file without suffix, else of the material
 
@@ -65,7 +66,7 @@ Q_SIGNALS:
 private:
     class Edit;
     void replace(const State& next);
-    State m_state;
+    State m_state, m_began;
     QUndoStack m_undo;
     QString m_file;
     int m_gesture = 0, m_depth = 0;

@@ -11,11 +11,23 @@
 #include "core/scene/source.h"
 #include "core/state/presets.h"
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QMenu>
 #include <QWidget>
 
 namespace relievo {
+namespace {
+constexpr qint64 kMostText = 16 << 20; // bytes that are searched
+
+// Whether a glTF file names pictures, by the beginning of its JSON; nothing of it is loaded.
+bool bringsPictures(const QString& file)
+{
+    const QString suffix = QFileInfo(file).suffix().toLower();
+    QFile in(file);
+    return (suffix == "glb" || suffix == "gltf") && in.open(QIODevice::ReadOnly) && in.read(kMostText).contains("\"images\"");
+}
+} // namespace
 
 Files::Files(Document& document, Assets& assets, Messages& messages, QWidget* window)
     : QObject(window)
@@ -24,6 +36,7 @@ Files::Files(Document& document, Assets& assets, Messages& messages, QWidget* wi
     , m_messages(messages)
     , m_window(window)
 {
+    connect(&document, &Document::started, this, [this] { m_messages.clear("dropped"); });
     m_assets.askFirst = [this](std::function<void()> then) { guard(std::move(then)); };
 }
 
@@ -102,14 +115,36 @@ void Files::saveTo(const QString& file, const std::function<void()>& then)
         then();
 }
 
+void Files::takeMesh(const QString& file)
+{
+    m_assets.propose(tr("Mesh"), [file, located = m_assets.locatesMesh(file)](State& state) {
+        state.mesh = file.toStdString();
+        if (!located)
+            state.part.clear();
+    });
+}
+
+void Files::askWhatToTake(const QString& gltf)
+{
+    const auto choice = [this](const QString& label, const std::function<void()>& take) {
+        return Offer{label, [this, take] {
+                         m_messages.clear("dropped");
+                         take();
+                     }};
+    };
+    m_messages.set("dropped",
+        QList<Message>{{.text = tr("Take material and mesh of %1, or one of them?").arg(QFileInfo(gltf).fileName()),
+            .isNotice = true,
+            .choices = {choice(tr("Both"), [this, gltf] { m_assets.openInto(gltf); }),
+                choice(tr("Material"), [this, gltf] { m_assets.openInto(gltf, true); }),
+                choice(tr("Mesh"), [this, gltf] { takeMesh(gltf); })}}});
+}
+
 void Files::openDropped(const QString& dropped)
 {
+    m_messages.clear("dropped");
     if (isMeshFile(dropped.toStdString()))
-        m_assets.propose(tr("Mesh"), [dropped, located = m_assets.locatesMesh(dropped)](State& state) {
-            state.mesh = dropped.toStdString();
-            if (!located)
-                state.part.clear();
-        });
+        m_assets.locatesMesh(dropped) || !bringsPictures(dropped) ? takeMesh(dropped) : askWhatToTake(dropped);
     else if (isProjectFile(dropped.toStdString()))
         open(dropped);
     else if (fits(FileKind::Preset, dropped))

@@ -27,7 +27,8 @@ public:
     // Asks where to when the document has no file yet, and waits for what is still loading; `then` does not run when that fails.
     void save(std::function<void()> then = {});
     void saveAs(std::function<void()> then = {});
-    // A mesh replaces the mesh, a project the document, an image or folder the maps, a preset the numbers.
+    // A glTF file with pictures is asked about: material and mesh, or one of them. Another mesh replaces the mesh, a project the document,
+    // an image or folder the maps, a preset the numbers.
     void openDropped(const QString& dropped);
 
     void fillRecent(QMenu& menu);
@@ -36,6 +37,8 @@ public:
     void applyPreset(const std::string& nameOrFile); // its numbers and technique; the maps stay
 
 private:
+    void takeMesh(const QString& file);
+    void askWhatToTake(const QString& gltf);
     void saveTo(const QString& file, const std::function<void()>& then);
     Document& m_document;
     Assets& m_assets;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/load_jobs.h"
+#include "app/window/document/starting_scene.h"
+#include "core/ground/file.h"
 #include "core/image/sets/texture_set.h"
 #include "core/scene/source.h"
 #include <utility>
@@ -51,12 +53,38 @@ Expected<Loaded> withFiles(Loaded loaded, const Shown& previous, const Progress&
     return loaded;
 }
 
-Expected<Loaded> loadSource(const QString& source, const State& base, const Turn& turn)
+// For what is opened: nothing is taken over of files that have changed since, at rest or not.
+Shown withoutChanged(Shown shown)
 {
+    shown.stale.merge(changedSince(shown.files));
+    return shown;
+}
+
+// Before a SOURCE is read, which reads pictures too.
+FileStamps stampsBeside(const QString& source)
+{
+    if (isBuiltInSource(source.toStdString()))
+        return {};
+    const std::filesystem::path path = absolutePath(source.toStdString());
+    std::error_code code;
+    return stampsIn(std::filesystem::is_directory(path, code) ? path : path.parent_path());
+}
+
+Expected<Loaded> loadSource(const QString& source, const State& base, const Turn& turn, bool onlyMaterial = false)
+{
+    const FileStamps beside = stampsBeside(source);
     auto opened = openSource(source.toStdString(), base, turn.progress.part(0.f, 0.6f));
     if (!opened)
         return tl::unexpected(opened.error());
-    return withFiles({.base = base, .opened = std::move(*opened), .shown = {}}, turn.previous, turn.progress.part(0.6f, 1.f));
+    if (onlyMaterial)
+        opened->state.mesh = base.mesh, opened->state.part = base.part;
+    auto loaded = withFiles(
+        {.base = base, .opened = std::move(*opened), .shown = {}}, withoutChanged(turn.previous), turn.progress.part(0.6f, 1.f));
+    if (loaded)
+        for (auto& [name, stamp] : loaded->shown.files)
+            if (const auto seen = beside.find(name); seen != beside.end())
+                stamp = seen->second;
+    return loaded;
 }
 
 Expected<Loaded> loadFor(const OpenDocument& job, const Turn& turn)
@@ -67,12 +95,43 @@ Expected<Loaded> loadFor(const OpenDocument& job, const Turn& turn)
 Expected<Loaded> loadFor(const OpenState& job, const Turn& turn)
 {
     return withFiles({.base = job.state, .opened = {.state = job.state, .images = {}, .warnings = job.warnings}, .shown = {}},
-        turn.previous, turn.progress);
+        withoutChanged(turn.previous), turn.progress);
+}
+
+bool isLight(const ParameterRow& row)
+{
+    return row.group == Group::Light || row.key == "lightSize";
+}
+
+// What the SOURCE is read on.
+State groundFor(const OpenInto& job, const State& now)
+{
+    State ground;
+    ground.camera = now.camera;
+    ground.environment = now.environment;
+    for (const ParameterRow& row : kParameters)
+        if (isLight(row))
+            set(ground.parameters, row, get(now.parameters, row));
+    // Before the starting scene's backdrop its shape and outline are the defaults too; a plane would be seen from its edge there.
+    if (const State scene = startingScene(); now.parameters.background == scene.parameters.background) {
+        ground.mesh = scene.mesh;
+        ground.parameters.silhouettes = scene.parameters.silhouettes;
+        ground.parameters.background = scene.parameters.background;
+    }
+    ground.panes = now.panes;
+    for (Pane& pane : ground.panes)
+        std::erase_if(pane.overrides, [](const auto& own) {
+            const ParameterRow* row = findParameter(own.first);
+            return !row || !isLight(*row);
+        });
+    if (job.asStep || job.onlyMaterial)
+        ground.mesh = now.mesh, ground.part = now.part;
+    return ground;
 }
 
 Expected<Loaded> loadFor(const OpenInto& job, const Turn& turn)
 {
-    return loadSource(job.source, turn.now, turn);
+    return loadSource(job.source, groundFor(job, turn.now), turn, job.onlyMaterial);
 }
 
 Expected<Loaded> loadFor(const EditNeeds& job, const Turn& turn)
@@ -123,6 +182,17 @@ EditNeeds assignment(const QString& text, MapKind kind, const std::string& file)
 bool isWholeDocument(const QString& source)
 {
     return isProjectFile(source.toStdString()) || source.startsWith("scene:");
+}
+
+OpenDocument firstDocument(const State& now, const std::optional<Error>& insteadOf)
+{
+    return {.source = "sample:bricks", .before = now, .base = State{}, .counted = false, .insteadOf = insteadOf};
+}
+
+bool standsInForAnother(const Job& job)
+{
+    const auto* opening = std::get_if<OpenDocument>(&job);
+    return opening && opening->insteadOf;
 }
 
 Expected<Loaded> load(const Job& job, const State& now, const Shown& previous, const Progress& progress)

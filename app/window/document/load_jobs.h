@@ -29,11 +29,12 @@ struct OpenState {
     QString file = {}; // the project that it belongs to, "" for untitled
 };
 
-// The maps of a SOURCE come into the present document, which keeps mesh, camera and parameters.
+// A SOURCE that is no project: its values count, else defaults; of the document before stay camera, light and technique.
 struct OpenInto {
     QString source;
-    State before; // as above; then they come as an undo step in any case
-    bool asStep = false; // of undo; else they begin a document of their own
+    State before; // as above; then it comes as an undo step in any case
+    bool asStep = false; // of undo, on the present mesh unless it brings one; else it begins a document of its own
+    bool onlyMaterial = false; // of a mesh file: the present mesh stays
 };
 
 // An edit that needs other files: the document changes only when all that is new could be read.
@@ -61,6 +62,10 @@ EditNeeds assignment(const QString& text, MapKind kind, const std::string& file)
 
 // Whether a SOURCE is a document of its own, not maps for the present one.
 bool isWholeDocument(const QString& source);
+
+// What is opened where nothing is shown yet, for the window is never empty; insteadOf: of what could not be opened.
+OpenDocument firstDocument(const State& now, const std::optional<Error>& insteadOf = {});
+bool standsInForAnother(const Job& job);
 
 // What was read for a job.
 struct Loaded {

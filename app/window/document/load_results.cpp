@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/load_results.h"
 #include "app/window/document/recent_files.h"
+#include "core/gltf/pictures.h"
 #include "core/ground/shown_text.h"
 #include "core/scene/source.h"
 #include <QFileInfo>
@@ -16,39 +17,27 @@ void addToRecent(const QString& source)
         addRecentFile(QFileInfo(source).absoluteFilePath());
 }
 
-// Techniques and values of the panes; where they look and what they show stays as it is.
-void bringPanes(State& state, const State& opened)
+// What a SOURCE brings; what was edited while it was read stays.
+State broughtBy(const OpenInto& job, const Loaded& loaded, const State& now)
 {
-    state.panes.resize(opened.panes.size(), state.panes.front());
-    for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
-        state.panes[pane].technique = opened.panes[pane].technique;
-        state.panes[pane].overrides = opened.panes[pane].overrides;
-    }
-}
-
-// What a SOURCE of maps brings into `state`; what was edited there while it was read stays.
-void bringMaps(State& state, const Loaded& loaded, bool builtIn)
-{
-    const State &opened = loaded.opened.state, &base = loaded.base;
-    state.slots = opened.slots;
-    state.name = opened.name;
-    if (builtIn) // a sample brings its depth
-        state.parameters.depth = opened.parameters.depth;
-    if (opened.mesh != base.mesh) // a mesh with textures
-        state.mesh = opened.mesh, state.part = opened.part;
-    if (opened.mesh != base.mesh || (loaded.opened.bringsValues && opened.panes != base.panes))
-        bringPanes(state, opened);
-    if (!loaded.opened.bringsValues)
-        return;
+    State next = loaded.opened.state;
+    next.camera = now.camera;
     for (const ParameterRow& row : kParameters)
-        if (const Value value = get(opened.parameters, row); value != get(base.parameters, row))
-            set(state.parameters, row, value);
+        if (const Value value = get(now.parameters, row); value != get(job.before.parameters, row))
+            set(next.parameters, row, value);
+    if (now.panes != job.before.panes)
+        next.panes = now.panes;
+    if (now.environment != job.before.environment)
+        next.environment = now.environment;
+    if (now.mesh != job.before.mesh && next.mesh == loaded.base.mesh)
+        next.mesh = now.mesh, next.part = now.part;
+    return next;
 }
 
 // A mesh that is new to the document starts with a relief that fits it, unless the file says how deep its own is.
-void fitDepth(State& state, const State& base, const Loaded& loaded)
+void fitDepth(State& state, const Loaded& loaded)
 {
-    if (state.mesh == base.mesh || loaded.shown.mesh || loaded.opened.bringsValues)
+    if (loaded.shown.mesh || loaded.opened.bringsValues)
         return;
     const float fits = fittingDepth(state.parameters, loaded.shown.resources);
     if (!(state.parameters.depth > fits))
@@ -61,8 +50,8 @@ void apply(const OpenDocument& job, const Loaded& loaded, Document& document)
 {
     const bool isProject = isProjectFile(job.source.toStdString());
     State state = loaded.opened.state;
-    if (!isWholeDocument(job.source))
-        fitDepth(state, loaded.base, loaded);
+    if (!isWholeDocument(job.source) && state.mesh != loaded.base.mesh)
+        fitDepth(state, loaded);
     document.start(state, isProject ? QFileInfo(job.source).absoluteFilePath() : QString());
     if (job.counted)
         addToRecent(job.source);
@@ -75,9 +64,9 @@ void apply(const OpenState& job, const Loaded& loaded, Document& document)
 
 void apply(const OpenInto& job, const Loaded& loaded, Document& document)
 {
-    State next = document.state();
-    bringMaps(next, loaded, isBuiltInSource(job.source.toStdString()));
-    fitDepth(next, loaded.base, loaded);
+    State next = broughtBy(job, loaded, document.state());
+    if (next.parameters.depth == loaded.opened.state.parameters.depth)
+        fitDepth(next, loaded);
     if (job.asStep || editedSince(job.before, document))
         document.edit(QObject::tr("Open %1").arg(QString::fromStdString(shownName(next.name))), [&](State& state) { state = next; });
     else
@@ -89,11 +78,56 @@ void apply(const EditNeeds& job, const Loaded& loaded, Document& document)
 {
     document.edit(job.text, [&](State& state) {
         loaded.change(state);
-        fitDepth(state, loaded.base, loaded);
+        if (state.mesh != loaded.base.mesh)
+            fitDepth(state, loaded);
     });
 }
 
 void apply(const Follow&, const Loaded&, Document&) { } // it is the data that changes
+
+// Of the files that were stale and have been read; before: how they were when they were read last.
+void tellReadAgain(const Shown& shown, const FileStamps& before, Messages& messages)
+{
+    QStringList names;
+    bool outside = false;
+    for (const std::string& name : shown.readAgain) {
+        const QString file = QFileInfo(QString::fromStdString(fileOfPicture(name).string())).fileName();
+        if (!names.contains(file))
+            names.append(file);
+        const auto known = before.find(name);
+        outside = outside || (known != before.end() && known->second != shown.files.at(name));
+    }
+    if (names.isEmpty())
+        return;
+    const QString files = names.join(", ");
+    const QString told = names.size() == 1
+        ? (outside ? QObject::tr("%1 was changed outside and has been read again.") : QObject::tr("%1 has been read again.")).arg(files)
+        : (outside ? QObject::tr("%1 files were changed outside and have been read again: %2.")
+                   : QObject::tr("%1 files have been read again: %2."))
+              .arg(names.size())
+              .arg(files);
+    messages.set("files", QList<Message>{{.text = told, .isNote = true}});
+}
+
+void offerToKeep(const Job& job, const Before& before, Document& document, Messages& messages)
+{
+    const Parameters &kept = before.state.parameters, &given = before.began.parameters, &now = document.state().parameters;
+    const auto differs = [&kept](const Parameters& other) { return kept.depth != other.depth || kept.tiling != other.tiling; };
+    if (!std::holds_alternative<OpenInto>(job) || !differs(given) || !differs(now))
+        return;
+    const auto keep = [&document, depth = kept.depth, tiling = kept.tiling] {
+        document.edit(QObject::tr("Keep depth and tiling"), [=](State& state) {
+            state.parameters.depth = depth;
+            state.parameters.tiling = tiling;
+        });
+    };
+    messages.set("kept",
+        QList<Message>{{.text = QObject::tr("Depth and tiling are those of what was opened; before they were %1 and %2.")
+                                    .arg(double(kept.depth), 0, 'g', 3)
+                                    .arg(double(kept.tiling), 0, 'g', 3),
+            .isNote = true,
+            .choices = {{QObject::tr("Keep depth and tiling"), keep}}}});
+}
 } // namespace
 
 bool editedSince(const State& before, const Document& document)
@@ -130,10 +164,22 @@ void tellShown(const Shown& shown, Messages& messages)
     messages.set("mesh", shown.resources.mesh->warnings);
 }
 
-void tellDepth(const State& state, const Resources& resources, Messages& messages)
+void tellApplied(const Job& job, const Loaded& loaded, const Before& before, Document& document, Messages& messages)
 {
-    const auto warning = tooDeep(state, resources);
-    messages.set("depth", warning ? Warnings{*warning} : Warnings{});
+    tellReadAgain(loaded.shown, before.files, messages);
+    offerToKeep(job, before, document, messages);
+    if (const auto* opening = std::get_if<OpenDocument>(&job); opening && opening->insteadOf)
+        messages.set("load", *opening->insteadOf);
+}
+
+void tellEdited(const State& state, const Resources* resources, Messages& messages)
+{
+    for (const char* source : {"load", "files", "kept"})
+        messages.clear(source);
+    if (!resources)
+        return;
+    const auto tooDeepNow = tooDeep(state, *resources);
+    messages.set("depth", tooDeepNow ? Warnings{*tooDeepNow} : Warnings{});
 }
 
 void tellFollowing(const QString& map, Messages& messages)

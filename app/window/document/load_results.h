@@ -5,6 +5,7 @@
 #include "app/window/document/document.h"
 #include "app/window/document/load_jobs.h"
 #include "app/window/document/messages.h"
+#include "app/window/document/resource_store.h"
 
 namespace relievo {
 
@@ -18,7 +19,15 @@ void applyLoaded(const Job& job, const Loaded& loaded, Document& document);
 
 void tellLoaded(const Job& job, const Loaded& loaded, Messages& messages); // before it is shown
 void tellShown(const Shown& shown, Messages& messages);
-void tellDepth(const State& state, const Resources& resources, Messages& messages); // deeper than the mesh is thick
+// Once it is applied: which files have been read again, the offer to keep depth and tiling of the document before where they had been
+// changed since that one began, and what could not be opened.
+struct Before {
+    FileStamps files;
+    State state, began; // of the document
+};
+void tellApplied(const Job& job, const Loaded& loaded, const Before& before, Document& document, Messages& messages);
+// The work goes on without what was refused. resources: nullptr before the first load.
+void tellEdited(const State& state, const Resources* resources, Messages& messages);
 // map: the acceleration map that is all that is missing, "" when files are.
 void tellFollowing(const QString& map, Messages& messages);
 void tellStopped(const QString& map, Messages& messages);

@@ -28,7 +28,8 @@ int rankOf(const Message& message)
 void Messages::set(const QString& source, const QList<Message>& messages)
 {
     const auto there = std::ranges::find(m_bySource, source, &std::pair<QString, QList<Message>>::first);
-    if (there == m_bySource.end() ? messages.isEmpty() : there->second == messages)
+    const bool asks = std::ranges::any_of(messages, [](const Message& one) { return !one.choices.isEmpty(); }); // of this moment
+    if (there == m_bySource.end() ? messages.isEmpty() : there->second == messages && !asks)
         return;
     if (there != m_bySource.end())
         m_bySource.erase(there);

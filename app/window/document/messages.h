@@ -6,15 +6,24 @@
 #include <QList>
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <utility>
 
 namespace relievo {
+
+// What the user may do about a message, by a button beside it.
+struct Offer {
+    QString label;
+    std::function<void()> take;
+    bool operator==(const Offer& other) const { return label == other.label; }
+};
 
 struct Message {
     bool isError = false; // else a warning, unless it is one of the below: the work went on
     QString text; // one sentence
     bool isNotice = false; // neither: how the work goes on; shown in the line alone, so that its coming and going moves nothing
     bool isNote = false; // neither: what was recognised and is as it should be; counts as no warning
+    QList<Offer> choices = {};
     bool operator==(const Message&) const = default;
 };
 

@@ -23,7 +23,7 @@ Needs needsOf(const State& state)
 bool ResourceStore::isLoaded(const State& state) const
 {
     return ready() && resources().material->slots == state.slots && resources().meshName == state.mesh
-        && resources().environmentName == state.environment && !isBack(m_shown);
+        && resources().environmentName == state.environment && m_shown.stale.empty();
 }
 
 bool ResourceStore::isComplete(const State& state) const

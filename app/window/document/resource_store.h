@@ -25,9 +25,10 @@ public:
     const Resources& resources() const { return m_shown.resources; }
     const Shown& shown() const { return m_shown; }
     void show(Shown shown) { m_shown = std::move(shown); }
+    void readAgain(const FileNames& files) { m_shown.stale.insert(files.begin(), files.end()); } // with whatever is loaded next
 
     bool ready() const { return resources().material && resources().mesh && resources().environment; }
-    // Whether the files that `state` names are those that are loaded or stood in for, and none of the missing is back.
+    // Whether the files that `state` names are those that are loaded or stood in for, and none is to be read again.
     bool isLoaded(const State& state) const;
     // Also the acceleration maps that its techniques search with are there.
     bool isComplete(const State& state) const;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/map_row.h"
+#include "app/window/document/stand_ins.h"
 #include "app/window/panels/thumbnails.h"
 #include "app/window/widgets/choice_list.h"
 #include "app/window/widgets/dropping.h"
@@ -14,6 +15,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QToolButton>
+#include <algorithm>
 
 namespace relievo {
 namespace {
@@ -33,6 +35,13 @@ QString shownName(const MapSlot& slot)
 {
     const QString file = QString::fromStdString(slot.file);
     return file.startsWith("sample:") ? QObject::tr("built-in") : QFileInfo(file).fileName();
+}
+
+// Its file is there, but loading told that it could not be read.
+bool isBroken(const Material& material, const MapSlot& slot)
+{
+    return std::ranges::any_of(
+        material.warnings, [&](const Warning& told) { return told.code == "map-broken" && isAbout(told, slot.file); });
 }
 
 QString channelLabel(Channel channel, int channels)
@@ -99,13 +108,15 @@ void MapRow::show(const MapSlot& slot, const Material* material)
     const QString facts = material ? mapFacts(*material, m_kind.kind) : QString();
     m_filled = !slot.empty();
     // While other maps are loading the material is not yet that of the slot.
-    m_missing = m_filled && material && facts.isEmpty() && material->slots[std::size_t(m_kind.kind)] == slot;
+    const bool isLoaded = m_filled && material && material->slots[std::size_t(m_kind.kind)] == slot;
+    m_missing = isLoaded && (facts.isEmpty() || isTroubled(*material, slot)); // what was read before may be shown all the same
     m_thumbnail = QPixmap();
     if (!facts.isEmpty() && m_filled)
         m_thumbnail = QPixmap::fromImage(thumbnail(*material, m_kind.kind, int(kThumbnail * devicePixelRatio())));
     m_thumbnail.setDevicePixelRatio(devicePixelRatio());
     setFixedHeight(m_filled ? kFilledHeight : kEmptyHeight);
-    m_facts->setFullText(m_missing ? tr("missing: %1").arg(shownName(slot)) : facts);
+    const bool isThere = m_missing && material && isBroken(*material, slot);
+    m_facts->setFullText(m_missing ? (isThere ? tr("cannot be read: %1") : tr("missing: %1")).arg(shownName(slot)) : facts);
     m_facts->setVisible(m_filled);
     m_facts->setToolTip(m_filled ? QString::fromStdString(slot.file) : QString());
     setRole(*m_name, m_filled ? "" : "dim");

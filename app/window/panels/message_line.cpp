@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
@@ -48,6 +49,7 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
     , m_list(new QScrollArea(this))
     , m_entries(new QWidget)
     , m_work(new QWidget(this))
+    , m_choices(new QWidget(this))
     , m_doing(new QLabel)
     , m_lines(new QVBoxLayout(m_entries))
     , m_count(new QToolButton(this))
@@ -66,12 +68,16 @@ MessageLine::MessageLine(Messages& messages, Background& background, QWidget* pa
     m_count->setToolTip(tr("Shows or hides all messages"));
     m_text->setObjectName("message-text");
     m_work->hide();
+    m_choices->setObjectName("choices");
+    (new QHBoxLayout(m_choices))->setContentsMargins(0, 0, 0, 0);
+    m_choices->hide();
 
     auto* line = new QHBoxLayout;
     line->setContentsMargins(8, 2, 8, 2);
     line->setSpacing(2 * kGrid);
     line->addWidget(m_count);
     line->addWidget(m_text, 1);
+    line->addWidget(m_choices);
     line->addWidget(m_work);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -142,6 +148,8 @@ void MessageLine::changeEvent(QEvent* event)
 void MessageLine::refresh()
 {
     QList<Message> all = m_messages.all();
+    const auto asks = std::ranges::find_if(all, [](const Message& one) { return !one.choices.isEmpty(); });
+    showChoices(asks == all.end() ? QList<Offer>() : asks->choices);
     const auto notices = std::ranges::find(all, true, &Message::isNotice);
     const QString notice = notices == all.end() ? QString() : notices->text;
     all.erase(notices, all.end());
@@ -156,6 +164,29 @@ void MessageLine::refresh()
     const QString said = notice.isEmpty() ? told : notice; // it goes by itself
     setRole(*m_text, !notice.isEmpty() ? "" : all.isEmpty() ? "dim" : all.front().isError ? "error" : "");
     m_text->setFullText(said);
+}
+
+// Of the message that asks. Buttons stay under the mouse while their words are the same.
+void MessageLine::showChoices(const QList<Offer>& choices)
+{
+    const bool isSame = choices == m_asked;
+    m_asked = choices; // what they do may be other things now
+    if (isSame)
+        return;
+    for (QPushButton* button : m_choices->findChildren<QPushButton*>(Qt::FindDirectChildrenOnly)) {
+        button->setParent(nullptr);
+        button->deleteLater(); // it may be the one that was clicked
+    }
+    for (qsizetype i = 0; i < choices.size(); ++i) {
+        auto* button = new QPushButton(choices[i].label);
+        connect(button, &QPushButton::clicked, this, [this, i] {
+            const Offer taken = m_asked.value(i);
+            if (taken.take)
+                taken.take();
+        });
+        m_choices->layout()->addWidget(button);
+    }
+    m_choices->setVisible(!choices.isEmpty());
 }
 
 void MessageLine::resizeEvent(QResizeEvent* event)

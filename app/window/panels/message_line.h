@@ -33,10 +33,12 @@ private:
     void refresh();
     void fillList(const QList<Message>& all);
     void fitList();
+    void showChoices(const QList<Offer>& choices);
     Messages& m_messages;
+    QList<Offer> m_asked;
     bool m_open = false;
     QScrollArea* m_list;
-    QWidget *m_entries, *m_work;
+    QWidget *m_entries, *m_work, *m_choices;
     QLabel* m_doing;
     QVBoxLayout* m_lines;
     QToolButton* m_count;

@@ -5,7 +5,6 @@
 #include "app/window/viewport/gl_calls.h"
 #include <QElapsedTimer>
 #include <QScopeGuard>
-#include <QSettings>
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +13,6 @@ namespace {
 constexpr int kRestDelay = 100; // ms without a move until the full picture
 constexpr int kMeasureDelay = 60; // ms from the full picture to the counting of fetches
 constexpr double kSlice = 25; // ms of smoothing between two looks at what the hand does
-constexpr int kSmoothLimit = 10000; // ms of smoothing, after which the least will do
-constexpr const char* kSamplesKey = "viewport/samples";
 } // namespace
 
 Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidget* parent)
@@ -58,14 +55,12 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
         if (movedCamera && m_moving)
             refresh(false);
     });
-    m_wantedSamples = std::clamp(QSettings().value(kSamplesKey, kSamples).toInt(), kLeastSamples, kMostSamples);
     updateOverlays();
 }
 
-void Viewport::setWantedSamples(int samples)
+void Viewport::wantSamples(int samples)
 {
-    m_wantedSamples = std::clamp(samples, kLeastSamples, kMostSamples);
-    QSettings().setValue(kSamplesKey, m_wantedSamples);
+    m_samplesAtRest.want(samples);
     refresh(false);
 }
 
@@ -156,9 +151,7 @@ void Viewport::drawPanes(double scale)
     m_pacer.took(double(clock.nsecsElapsed()) * 1e-6, scale);
     m_stale = false;
     m_shownScale = scale;
-    // Later: what hears of it may change the layout, which must not happen while painting.
-    QMetaObject::invokeMethod(
-        this, [this, troubles] { drawn(troubles); }, Qt::QueuedConnection);
+    QTimer::singleShot(0, this, [this, troubles] { drawn(troubles); }); // what hears of it may change the layout: not while painting
     if (scale >= 1. && std::size_t(troubles.size()) < paneCount()) // one that cannot be drawn does not stop the others
         m_measuring.start(kMeasureDelay);
 }
@@ -169,13 +162,11 @@ void Viewport::drawn(const QList<Message>& troubles)
     const Resources& resources = m_assets.resources();
     const bool waits = !resources.accelerationMaps.missingFor(m_document.state(), *resources.material).empty();
     m_messages.set("picture", waits ? QList<Message>() : troubles);
-    if (troubles.isEmpty())
-        return;
-    m_measured.clear(); // it was of another picture
-    updateOverlays();
+    if (!troubles.isEmpty())
+        m_measured.clear(), updateOverlays(); // it was of another picture
 }
 
-// A slice more of the shifted pictures; the hand is heard between any two. What is shown changes when twice as many have been averaged.
+// A slice more of the shifted pictures; the hand is heard between any two.
 void Viewport::smooth()
 {
     if (m_stale || !m_pictures)
@@ -183,13 +174,9 @@ void Viewport::smooth()
     makeCurrent();
     const bool isWhole = m_pictures->addSlice(scene(), areas(), kSlice);
     doneCurrent();
-    const int samples = smoothSamples();
-    if (isWhole && samples == 0) // of no pane
-        return;
-    const bool isEnough = samples >= m_wantedSamples || (samples >= kLeastSamples && m_sinceRest.elapsed() > kSmoothLimit);
-    if (!isWhole || !isEnough)
+    if (!isWhole || !m_samplesAtRest.isEnough(smoothSamples()))
         m_smoothing.start(0);
-    if (isWhole && (isEnough || (samples & (samples - 1)) == 0))
+    if (isWhole && m_samplesAtRest.isShown(smoothSamples()))
         update();
 }
 
@@ -199,12 +186,11 @@ void Viewport::measure()
     if (m_stale || !m_pictures || !m_assets.ready())
         return;
     makeCurrent();
-    const std::vector<PaneArea> all = areas();
-    m_measured = m_pictures->measure(scene(), all);
+    m_measured = m_pictures->measure(scene(), areas());
     doneCurrent();
     updateOverlays();
-    m_reference->want(all);
-    m_sinceRest.start();
+    m_reference->want(areas());
+    m_samplesAtRest.begin();
     m_smoothing.start(0);
 }
 
@@ -214,7 +200,7 @@ QImage Viewport::picture()
         return {};
     makeCurrent();
     const auto done = qScopeGuard([this] { doneCurrent(); });
-    return m_pictures->sheet(scene(), areas(), kLeastSamples);
+    return m_pictures->sheet(scene(), areas(), SamplesAtRest::kLeast);
 }
 
 void Viewport::setActivePane(int pane)

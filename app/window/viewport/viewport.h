@@ -8,7 +8,7 @@
 #include "app/window/viewport/navigator.h"
 #include "app/window/viewport/pane_overlays.h"
 #include "app/window/viewport/pane_pictures.h"
-#include <QElapsedTimer>
+#include "app/window/viewport/samples_at_rest.h"
 #include <QImage>
 #include <QOpenGLWidget>
 #include <QTimer>
@@ -27,12 +27,10 @@ public:
     int activePane() const { return m_activePane; } // the one that the technique bar speaks of
     void setActivePane(int pane);
     QImage picture(); // what is shown, in full resolution, without captions; null when a pane cannot be drawn
-    // Pictures averaged in what is shown: 0 while the edges are as the pixels fall; in the end wantedSamples(), or at least kLeastSamples
-    // where more would take long.
+    // Pictures averaged in what is shown: 0 while the edges are as the pixels fall.
     int smoothSamples() const { return m_pictures ? m_pictures->samples() : 0; }
-    static constexpr int kLeastSamples = 16, kSamples = 64, kMostSamples = 256;
-    int wantedSamples() const { return m_wantedSamples; }
-    void setWantedSamples(int samples); // from kLeastSamples to kMostSamples; kept in the settings
+    const SamplesAtRest& samplesAtRest() const { return m_samplesAtRest; }
+    void wantSamples(int samples);
     bool isFull() const { return !m_stale && m_shownScale >= 1.; } // the picture shown has the full resolution
     // Nothing more to come.
     bool isSettled() const { return isFull() && !m_measuring.isActive() && !m_smoothing.isActive() && !m_reference->busy(); }
@@ -70,8 +68,7 @@ private:
     PaneOverlays m_overlays;
     FramePacer m_pacer;
     QTimer m_rest, m_measuring, m_smoothing, m_shaderWatch;
-    QElapsedTimer m_sinceRest; // since smoothing began
-    int m_wantedSamples = kSamples;
+    SamplesAtRest m_samplesAtRest;
     bool m_stale = true, m_moving = false;
     double m_shownScale = 0; // of the full resolution along each side
     std::vector<std::optional<Measurement>> m_measured; // of the panes

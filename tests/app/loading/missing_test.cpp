@@ -94,8 +94,8 @@ TEST_F(MissingTest, WhatIsPutBackIsShown)
     move("away.obj", "one.obj");
     move("away.hdr", "sky.hdr");
     comeBackToTheWindow();
-    EXPECT_EQ(triangles(), 1u);
-    EXPECT_TRUE(window.messages().all().isEmpty()) << window.messageLine().text().toStdString();
+    EXPECT_TRUE(waitFor([&] { return triangles() == 1u; }));
+    EXPECT_TRUE(waitFor([&] { return window.messages().all().isEmpty(); })) << window.messageLine().text().toStdString();
     EXPECT_FALSE(window.document().isModified());
 }
 
@@ -151,7 +151,7 @@ TEST_F(MissingTest, AMapThatIsPutBackIsShown)
     EXPECT_TRUE(mapRow("height").isMissing());
     move("away.png", "a_height.png");
     comeBackToTheWindow();
-    EXPECT_FALSE(mapRow("height").isMissing());
+    EXPECT_TRUE(waitFor([&] { return !mapRow("height").isMissing(); }));
     EXPECT_TRUE(waitFor([&] { return window.messages().all().isEmpty(); })) << window.messageLine().text().toStdString();
 }
 

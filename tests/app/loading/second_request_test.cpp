@@ -49,6 +49,8 @@ TEST_F(SecondRequest, TheMapsThatWereOpenedLastAreShown)
     settle();
     EXPECT_EQ(height(), "sample:cobblestones@64");
     EXPECT_EQ(steps(), 2) << "the terrain was overtaken";
+    window.action("undo")->trigger();
+    settle();
     EXPECT_EQ(state().parameters.maxSteps, 77);
 }
 
