@@ -103,16 +103,21 @@ bool isLight(const ParameterRow& row)
     return row.group == Group::Light || row.key == "lightSize";
 }
 
-// What the SOURCE is read on: what the window starts with, but for the tiling, which meshes of exports hold in their UVs.
+// What the SOURCE is read on.
 State groundFor(const OpenInto& job, const State& now)
 {
-    State ground = startingScene();
-    ground.parameters.tiling = Parameters().tiling;
+    State ground;
     ground.camera = now.camera;
     ground.environment = now.environment;
     for (const ParameterRow& row : kParameters)
         if (isLight(row))
             set(ground.parameters, row, get(now.parameters, row));
+    // Before the starting scene's backdrop its shape and outline are the defaults too; a plane would be seen from its edge there.
+    if (const State scene = startingScene(); now.parameters.background == scene.parameters.background) {
+        ground.mesh = scene.mesh;
+        ground.parameters.silhouettes = scene.parameters.silhouettes;
+        ground.parameters.background = scene.parameters.background;
+    }
     ground.panes = now.panes;
     for (Pane& pane : ground.panes)
         std::erase_if(pane.overrides, [](const auto& own) {
