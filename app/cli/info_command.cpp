@@ -6,10 +6,12 @@
 #include "core/ground/shown_text.h"
 #include "core/scene/relief_numbers.h"
 #include "core/state/shapes.h"
+#include "core/trace/relief_room.h"
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace relievo::cli {
 using Json = nlohmann::ordered_json;
@@ -26,6 +28,23 @@ TextureSet setOf(const Opened& opened, const std::filesystem::path& folder)
     TextureSet set = textureSetOf(opened.state.name, opened.state.slots, folder);
     set.warnings.insert(set.warnings.begin(), opened.warnings.begin(), opened.warnings.end());
     return set;
+}
+
+// A relief that fills the heights' range, as deep as the default says.
+std::optional<Warning> tooDeepAsUsual(const Mesh& mesh)
+{
+    const Parameters usual;
+    Resources resources;
+    resources.mesh = std::make_shared<const Mesh>(mesh);
+    resources.fit.room = reliefRoom(mesh);
+    const float fits = fittingDepth(usual, resources);
+    if (usual.depth <= fits)
+        return {};
+    char text[160];
+    std::snprintf(text, sizeof text,
+        "A relief of the usual depth, %.2g, is deeper than the mesh is thick in places: up to a depth of %.2g it fits.",
+        double(usual.depth), double(fits));
+    return Warning{"relief-too-deep", text};
 }
 
 // One JSON object for all kinds of source; the text for people is made from it.
@@ -48,6 +67,8 @@ Result<Json> infoOf(const InfoOptions& options)
             return problem(mesh.error());
         const Warnings faults = inspectMesh(*mesh);
         mesh->warnings.insert(mesh->warnings.end(), faults.begin(), faults.end());
+        if (auto warning = tooDeepAsUsual(*mesh))
+            mesh->warnings.push_back(std::move(*warning));
         return Json::parse(meshJson(*mesh));
     }
     if (isProjectFile(source) || isBuiltInSource(source)) {

@@ -8,6 +8,7 @@
 #include "tests/program/run.h"
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -46,6 +47,18 @@ std::vector<HitLine> hitsOf(const std::string& file)
 }
 
 } // namespace
+
+TEST(Cli, TellsWhatDepthFitsAMesh)
+{
+    TestFolder folder("fits");
+    std::ofstream(folder / "plate.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 -0.01\nv 1 0 -0.01\nv 1 1 -0.01\nv 0 1 -0.01\n"
+                                           "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+    EXPECT_NE(runRelievo("info --json " + (folder / "plate.obj")).out.find("relief-too-deep"), std::string::npos);
+    EXPECT_EQ(runRelievo("info sphere --json").out.find("relief-too-deep"), std::string::npos);
+    const std::string torus = "render sample:bricks@16 --mesh torus --size 32x24 -o " + (folder / "x.png") + " --set depth=";
+    EXPECT_NE(runRelievo(torus + "1.4").err.find("deeper than the mesh"), std::string::npos);
+    EXPECT_EQ(runRelievo(torus + "0.1").err.find("deeper than the mesh"), std::string::npos);
+}
 
 TEST(Cli, VersionAndHelp)
 {

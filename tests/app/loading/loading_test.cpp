@@ -218,18 +218,18 @@ TEST_F(LoadingTest, ErrorsVanishWhenTheyAreCured)
     EXPECT_TRUE(window.messages().all().isEmpty()) << "another one was chosen, which is there already";
 }
 
-TEST_F(LoadingTest, AFirstSourceThatFailsLeavesTheBricks)
+TEST_F(LoadingTest, AFirstSourceThatFailsLeavesABuiltInMaterial)
 {
     MainWindow other;
     other.show();
     other.assets().openDocument("/no/such/wall.png", State{});
     ASSERT_TRUE(waitFor([&] { return other.assets().ready() && !other.assets().background().busy(); }));
     EXPECT_TRUE(other.messageLine().text().contains("/no/such/wall.png"));
-    EXPECT_EQ(other.document().state().name, "Bricks");
+    EXPECT_EQ(other.document().state().name, "Cobblestones");
     EXPECT_FALSE(other.document().isModified());
 }
 
-TEST_F(LoadingTest, AFirstStateThatFailsLeavesTheBricks)
+TEST_F(LoadingTest, AFirstStateThatFailsLeavesABuiltInMaterial)
 {
     QFile broken(file("broken.png"));
     ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
@@ -242,18 +242,18 @@ TEST_F(LoadingTest, AFirstStateThatFailsLeavesTheBricks)
     other.assets().openState(given, {});
     ASSERT_TRUE(waitFor([&] { return other.assets().ready() && !other.assets().background().busy(); }));
     EXPECT_TRUE(other.messageLine().text().contains("broken.png")) << other.messageLine().text().toStdString();
-    EXPECT_EQ(other.document().state().name, "Bricks");
+    EXPECT_EQ(other.document().state().name, "Cobblestones");
     EXPECT_FALSE(other.document().isModified());
 }
 
-TEST_F(LoadingTest, CancellingTheFirstLoadLeavesTheBricks)
+TEST_F(LoadingTest, CancellingTheFirstLoadLeavesABuiltInMaterial)
 {
     MainWindow other;
     other.show();
     other.assets().openDocument("sample:terrain@4096", State{});
     other.assets().background().cancel();
     ASSERT_TRUE(waitFor([&] { return other.assets().ready() && !other.assets().background().busy(); }));
-    EXPECT_EQ(other.document().state().name, "Bricks");
+    EXPECT_EQ(other.document().state().name, "Cobblestones");
     EXPECT_FALSE(other.document().isModified());
     EXPECT_TRUE(other.messages().all().isEmpty());
     EXPECT_TRUE(waitFor([&] { return other.viewport().isFull(); }));
