@@ -108,7 +108,7 @@ TEST_F(WaitingTest, NoticesDoNotMoveThePicture)
 
 TEST_F(WaitingTest, AStoppedBakeSaysSoAndStartsWhenTheTechniqueIsChosenAgain)
 {
-    window.assets().openDocument("sample:bricks@256");
+    window.assets().openDocument("sample:bricks@512");
     settle();
     window.setTechnique("cone");
     ASSERT_TRUE(background().busy());
