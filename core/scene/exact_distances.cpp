@@ -43,7 +43,7 @@ bool isSure(const PixelDistances& pixels, float depth)
 
 void tellCoarse(const DisplacedMesh& surface, Warnings& coarse)
 {
-    if (surface.coarseness() > 1.05f && coarse.empty())
+    if (surface.coarseness() > 1.05f)
         coarse.push_back({"reference-coarse",
             "The displaced mesh is " + std::to_string(int(std::ceil(surface.coarseness())))
                 + " times coarser than half a texel or half a pixel: " + std::to_string(surface.triangles()) + " micro-triangles, "
@@ -93,9 +93,10 @@ Answer distances(std::span<const Step> steps, const State& state, std::size_t pa
         if (!pixels.metres.empty())
             finer->uncertain = movedBy(*finer, pixels);
         pixels = std::move(*finer);
-        if (surface->coarseness() > 1.f && step.coarser <= 1.f) // no finer one fits
-            tellCoarse(*surface, coarse);
-        if (!pixels.uncertain.empty() && (surface->coarseness() > 1.f || isSure(pixels, depth)))
+        if (step.coarser > 1.f)
+            continue;
+        tellCoarse(*surface, coarse);
+        if (surface->coarseness() > 1.f || isSure(pixels, depth)) // no finer one fits, or is needed
             break;
     }
     progress.at(1.f);

@@ -108,10 +108,10 @@ void cut(const Base& base, const std::uint32_t* corners, float relief, std::uint
             out[0] = point.x, out[1] = point.y, out[2] = point.z;
         }
     const auto& v = base.mesh.vertices;
-    const float turns = turningDepth(v[corners[0]], v[corners[1]], v[corners[2]]);
+    const float turns = turningDepth(v[corners[0]], v[corners[1]], v[corners[2]]) / base.uniforms.reliefDepth; // share of the depth
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, glm::vec3 first) {
         *triangles++ = firstVertex + a, *triangles++ = firstVertex + b, *triangles++ = firstVertex + c;
-        *turned++ = base.below(corners, first, relief) * base.uniforms.reliefDepth > turns;
+        *turned++ = turns < relief && base.below(corners, first, relief) > turns;
     };
     for (std::uint32_t i = 0; i < pieces; ++i)
         for (std::uint32_t j = 0; j <= i; ++j) {

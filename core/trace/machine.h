@@ -1,5 +1,6 @@
 // What shader text reads on the CPU, and the searches that it makes there: each technique's file is included in the body of a struct whose
-// members are the uniforms and samplers. Included by the texts' own sources alone. SPDX-FileCopyrightText: The Relievo authors
+// members are the uniforms and samplers. Included by the texts' own sources alone.
+// SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/trace/shader_on_cpu.h"

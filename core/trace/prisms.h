@@ -1,5 +1,6 @@
-// Silhouettes by prisms on the CPU: the text of shaders/view_ray/prisms.glsl and shaders/shadow/prism_light.glsl with a technique's own
-// search. SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
+// Silhouettes by prisms on the CPU: the prisms' shader text with a technique's own search.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/mesh/mesh.h"
 #include "core/trace/shader_on_cpu.h"
