@@ -34,10 +34,7 @@ TextureSet setOf(const Opened& opened, const std::filesystem::path& folder)
 std::optional<Warning> tooDeepAsUsual(const Mesh& mesh)
 {
     const Parameters usual;
-    Resources resources;
-    resources.mesh = std::make_shared<const Mesh>(mesh);
-    resources.fit.room = reliefRoom(mesh);
-    const float fits = fittingDepth(usual, resources);
+    const float fits = fittingDepth(usual, mesh.metresPerUV, {reliefRoom(mesh), 0.f, {}, {}});
     if (usual.depth <= fits)
         return {};
     char text[160];

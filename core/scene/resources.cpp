@@ -18,12 +18,11 @@ Pose poseOf(const Mesh& mesh, const Parameters& parameters)
     return poseAt(mesh, parameters.clip, length > 0.f ? std::fmod(parameters.time, length) : 0.f);
 }
 
-float fittingDepth(const Parameters& parameters, const Resources& resources)
+float fittingDepth(const Parameters& parameters, float metresPerUV, const ReliefFit& fit)
 {
-    const float goesIn = parameters.midlevel - resources.fit.lowest; // share of the depth that lies below the mesh
-    const float metres = physicalDepth(parameters, resources.mesh->metresPerUV); // of `depth`
-    return goesIn > 0.f && metres > 0.f ? resources.fit.room / goesIn * (parameters.depth / metres)
-                                        : std::numeric_limits<float>::infinity();
+    const float goesIn = parameters.midlevel - fit.lowest; // share of the depth that lies below the mesh
+    const float metres = physicalDepth(parameters, metresPerUV); // of `depth`
+    return goesIn > 0.f && metres > 0.f ? fit.room / goesIn * (parameters.depth / metres) : std::numeric_limits<float>::infinity();
 }
 
 std::optional<Warning> tooDeep(const State& state, const Resources& resources)
@@ -31,7 +30,7 @@ std::optional<Warning> tooDeep(const State& state, const Resources& resources)
     for (std::size_t pane = 0; pane < state.panes.size(); ++pane) {
         const Parameters parameters = effectiveParameters(state, pane);
         const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
-        const float fits = fittingDepth(parameters, resources);
+        const float fits = fittingDepth(parameters, resources.mesh->metresPerUV, resources.fit);
         if (technique && technique->displaces && parameters.depth > fits) {
             char text[200];
             std::snprintf(text, sizeof text,
@@ -46,13 +45,17 @@ std::optional<Warning> tooDeep(const State& state, const Resources& resources)
 namespace {
 void measureFit(Resources& resources)
 {
+    const auto& height = resources.material->height;
     ReliefFit& fit = resources.fit;
+    if (!height) { // any depth fits, and a large mesh takes half a second to ask
+        fit = {};
+        return;
+    }
     if (fit.mesh != resources.mesh)
         fit.room = reliefRoom(*resources.mesh);
-    const auto& height = resources.material->height;
-    if (fit.material != resources.material)
-        fit.lowest = height ? *std::ranges::min_element(height->texels()) : 1.f;
-    fit.mesh = resources.mesh, fit.material = resources.material;
+    if (fit.heights != height->identity())
+        fit.lowest = *std::ranges::min_element(height->texels());
+    fit.mesh = resources.mesh, fit.heights = height->identity();
 }
 } // namespace
 

@@ -22,7 +22,7 @@ namespace relievo {
 struct ReliefFit {
     float room = std::numeric_limits<float>::infinity(); // reliefRoom of the mesh, m
     float lowest = 0.f; // height of the material, in [0, 1]
-    std::shared_ptr<const void> mesh, material; // that these are of
+    std::shared_ptr<const void> mesh, heights; // that these are of; none without a height map
 };
 
 // Cheap to copy; material, mesh and environment are never null after loadResources.
@@ -41,8 +41,8 @@ struct Resources {
 Expected<Resources> loadResources(
     const State& state, const DecodedImages& images, const Resources& previous, const Progress& progress = {});
 
-// The largest `depth` parameter at which the relief fits the mesh; infinity when any does.
-float fittingDepth(const Parameters& parameters, const Resources& resources);
+// The largest `depth` parameter at which the relief fits the mesh; infinity when any does. metresPerUV: Mesh's.
+float fittingDepth(const Parameters& parameters, float metresPerUV, const ReliefFit& fit);
 // "relief-too-deep": where a pane's relief is deeper than the mesh is thick, and what depth fits.
 std::optional<Warning> tooDeep(const State& state, const Resources& resources);
 

@@ -48,8 +48,10 @@ TEST_F(WindowTest, ANewMeshStartsWithADepthThatFitsIt)
     ASSERT_TRUE(waitFor([&] { return state().mesh == "character" && window.assets().upToDate(); }));
     EXPECT_EQ(steps(), stepsBefore + 1);
     EXPECT_LT(state().parameters.depth, before);
-    EXPECT_LE(state().parameters.depth, fittingDepth(state().parameters, window.assets().resources()));
-    EXPECT_GT(state().parameters.depth, 0.85f * fittingDepth(state().parameters, window.assets().resources()));
+    const Resources& resources = window.assets().resources();
+    const float fits = fittingDepth(state().parameters, resources.mesh->metresPerUV, resources.fit);
+    EXPECT_LE(state().parameters.depth, fits);
+    EXPECT_GT(state().parameters.depth, 0.85f * fits);
     const auto isTold = [&] {
         return std::ranges::any_of(window.messages().all(), [](const Message& m) { return m.text.contains("deeper than the mesh"); });
     };

@@ -39,7 +39,7 @@ void fitDepth(State& state, const Loaded& loaded)
 {
     if (loaded.shown.mesh || loaded.opened.bringsValues)
         return;
-    const float fits = fittingDepth(state.parameters, loaded.shown.resources);
+    const float fits = fittingDepth(state.parameters, loaded.shown.resources.mesh->metresPerUV, loaded.shown.resources.fit);
     if (!(state.parameters.depth > fits))
         return;
     const double unit = std::pow(10., std::floor(std::log10(double(fits))) - 1.); // two digits

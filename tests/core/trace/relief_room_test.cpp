@@ -44,7 +44,7 @@ TEST(ReliefRoom, WhatFitsIsTold)
     State state = openSource("sample:cobblestones@16", State())->state;
     state.mesh = "torus", state.panes = {Pane{"relief", {}}};
     Resources resources = *loadResources(state, {}, {});
-    const float fits = fittingDepth(state.parameters, resources);
+    const float fits = fittingDepth(state.parameters, resources.mesh->metresPerUV, resources.fit);
     const float lowest = *std::min_element(resources.material->height->texels().begin(), resources.material->height->texels().end());
     EXPECT_NEAR(fits * resources.mesh->metresPerUV * (1.f - lowest), reliefRoom(*resources.mesh), 1e-4f);
     state.parameters.depth = 0.99f * fits;
