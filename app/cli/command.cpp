@@ -43,10 +43,10 @@ std::string shapeNames()
 }
 } // namespace
 
-void StateOptions::addTo(CLI::App& command)
+void StateOptions::addTo(CLI::App& command, std::vector<std::string>* sources)
 {
-    command.add_option("SOURCE", source, "Project (*.relievo), folder of a texture set, one image of a set, sample:NAME or hard:NAME")
-        ->type_name("");
+    const char* const help = "Project (*.relievo), folder of a texture set, one image of a set, sample:NAME or hard:NAME";
+    (sources ? command.add_option("SOURCE", *sources, help) : command.add_option("SOURCE", source, help))->type_name("");
     command.add_option("--preset", preset, "Preset by name or file")->type_name("NAME|FILE");
     command.add_option("--technique", technique, "Search technique, see relievo describe techniques")->type_name("KEY");
     command.add_option("--set", set, "Parameter, repeatable, see relievo describe parameters")

@@ -32,7 +32,7 @@ struct StateOptions {
     std::string source, preset, technique, mesh, environment, camera, depthMap;
     std::vector<std::string> set;
     std::map<std::string, std::string> maps; // by map kind's key
-    void addTo(CLI::App& command);
+    void addTo(CLI::App& command, std::vector<std::string>* sources = nullptr); // `sources`: takes several, instead of `source`
     void addMapsTo(CLI::App& command); // only --height, --depth-map, --color ...
     // The option of a file to write, and of one to read beside what the State names. openState refuses to open what an output would
     // replace. `file` must outlive the options and their copies.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/exporters.h"
+#include "core/exporters/engines/engine_export.h"
 #include "core/scene/inputs.h"
 #include <algorithm>
 
@@ -11,6 +12,26 @@ const ExportRow* findExport(std::string_view key)
 {
     const auto found = std::ranges::find(kExports, key, &ExportRow::key);
     return found == kExports.end() ? nullptr : &*found;
+}
+
+Expected<Exported> ExportRow::run(const ExportJob& job) const
+{
+    return code ? code(job) : exportByText(*this, job);
+}
+
+std::vector<std::filesystem::path> ExportRow::writes(const ExportJob& job) const
+{
+    return codeWrites ? codeWrites(job) : filesOfText(*this, job);
+}
+
+Parameters parametersOf(const ExportJob& job)
+{
+    return effectiveParameters(job.state, 0);
+}
+
+std::string techniqueOf(const ExportJob& job)
+{
+    return job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique;
 }
 
 Expected<void> refuseToOverwriteSources(const ExportJob& job, const std::filesystem::path& file)

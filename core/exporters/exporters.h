@@ -2,15 +2,51 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/ground/choice.h"
 #include "core/ground/error.h"
 #include "core/ground/progress.h"
 #include "core/scene/resources.h"
 #include <array>
 #include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace relievo {
+
+// What is done to the maps on their way out because an engine needs it; each can be left out.
+enum class Cure { FullRange, Normals, Dither };
+constexpr std::string_view wordOf(Cure cure)
+{
+    switch (cure) {
+    case Cure::FullRange:
+        return "full-range";
+    case Cure::Normals:
+        return "normals";
+    case Cure::Dither:
+        return "dither";
+    }
+    return {};
+}
+struct CureRow {
+    std::string_view label, help;
+};
+inline constexpr PerChoice<Cure, CureRow> kCures{{{
+    {"Use the full range of heights",
+        "Stretches the heights to 0..1 and makes the depth smaller by as much: engines that put white on the surface draw relief that "
+        "never is white as if it were sunk, and 8 bits hold more of it."},
+    {"Make missing normals",
+        "Makes a normal map of the heights at the material's depth where there is none: parallax moves the picture, the light needs "
+        "normals."},
+    {"Dither to 8 bits", "Spreads what 8 bits cannot hold over neighbours, where a target keeps 8 bits only: no terraces."},
+}}};
+
+struct TargetText;
+
+// Pictures that were written, by what is in them: an equal one for another target is copied.
+using WrittenPictures = std::map<std::string, std::filesystem::path>;
 
 struct ExportJob {
     const State& state;
@@ -19,19 +55,55 @@ struct ExportJob {
     int size = 0; // texels of the longest side of written textures; 0 keeps each map's own size
     Progress progress;
     std::vector<std::filesystem::path> alsoRead = {}; // beside what the State names: the project, a preset
+    EnumSet<Cure> cures = {Cure::FullRange, Cure::Normals, Cure::Dither};
+    WrittenPictures* pictures = nullptr; // of this material's other targets; may be null
+    const TargetText* packing = nullptr; // whose textures stand in for those of a target by text; may be null
 };
 struct Exported {
     std::vector<std::filesystem::path> files; // what was written
     Warnings warnings; // what the target will get wrong, or what was left out
 };
 
+// What an engine takes for height, and how it draws it.
+enum class DepthOf { Tile, Metres }; // what its number is a multiple of: the depth in tiles (after tiling), or in metres
+constexpr std::string_view wordOf(DepthOf of)
+{
+    switch (of) {
+    case DepthOf::Tile:
+        return "tile";
+    case DepthOf::Metres:
+        return "m";
+    }
+    return {};
+}
+struct EngineFacts {
+    std::string_view version = {}; // that the row was read from or run with; "" for formats that no engine is behind
+    std::string_view technique = {}; // row of kTechniques that draws as it does; "" where vertices are moved, or nothing is drawn
+    Channel channel = Channel::R; // of the height texture that is read
+    bool isDepth = false; // white is deep
+    float zero = 1.f; // height (white is 1) that lies on the surface
+    bool zeroIsFree = false; // a number of its own says it: the midlevel arrives
+    std::string_view property = {}; // that holds the depth: factor x depth, within [min, max]
+    DepthOf of = DepthOf::Tile;
+    float factor = 1.f, min = 0.f, max = std::numeric_limits<float>::infinity();
+    bool greenDown = false; // reads DirectX normals
+    int bits = 16; // of a height that it keeps
+    std::string_view limits = {}; // what it gets wrong, in sentences; "" for nothing
+};
+
+// Written by code of its own (`code`, `codeWrites`), or by a text: resources/exports/KEY.tpl, or a user's file.
 struct ExportRow {
     std::string_view key;
     std::string_view label;
-    std::string_view suffix; // ".glb"; "" when `out` is a folder
-    Expected<Exported> (*run)(const ExportJob& job);
-    std::vector<std::filesystem::path> (*writes)(const ExportJob& job); // the files that `run` makes or replaces
+    std::string_view suffix = {}; // ".glb"; "" when `out` is a folder
+    Expected<Exported> (*code)(const ExportJob& job) = nullptr;
+    std::vector<std::filesystem::path> (*codeWrites)(const ExportJob& job) = nullptr; // the files that `code` makes or replaces
+    EngineFacts engine = {};
     std::string_view help;
+    const TargetText* text = nullptr; // a user's own
+
+    Expected<Exported> run(const ExportJob& job) const;
+    std::vector<std::filesystem::path> writes(const ExportJob& job) const; // the files that `run` makes or replaces
 };
 
 // Folders that are missing are made. What the material was opened from is never written over: an error when `file` is one of the State's
@@ -46,14 +118,161 @@ std::vector<std::filesystem::path> filesOfTextures(const ExportJob& job);
 std::vector<std::filesystem::path> filesOfPreset(const ExportJob& job);
 
 inline constexpr auto kExports = std::to_array<ExportRow>({
-    {"gltf", "glTF binary", ".glb", exportGltf, filesOfGltf,
-        "Mesh and material in one file: base color, normal, packed occlusion-roughness-metallic, height in RELIEVO_materials_relief."},
-    {"textures", "Texture folder", "", exportTextures, filesOfTextures,
-        "Each map as its own file, height at 16 bits, and relief.json with the physical depth."},
-    {"preset", "Relievo preset", ".json", exportPreset, filesOfPreset,
-        "The material's parameters without its files, to be laid on other materials."},
+    {.key = "gltf",
+        .label = "glTF binary",
+        .suffix = ".glb",
+        .code = exportGltf,
+        .codeWrites = filesOfGltf,
+        .help
+        = "Mesh and material in one file: base color, normal, packed occlusion-roughness-metallic, height in RELIEVO_materials_relief."},
+    {.key = "textures",
+        .label = "Texture folder",
+        .code = exportTextures,
+        .codeWrites = filesOfTextures,
+        .help = "Each map as its own file, height at 16 bits, and relief.json with the physical depth."},
+    {.key = "preset",
+        .label = "Relievo preset",
+        .suffix = ".json",
+        .code = exportPreset,
+        .codeWrites = filesOfPreset,
+        .help = "The material's parameters without its files, to be laid on other materials."},
+    {.key = "godot4",
+        .label = "Godot 4",
+        .engine = {.version = "4.6, run",
+            .technique = "as-godot4",
+            .property = "heightmap_scale",
+            .factor = 100.f,
+            .bits = 32,
+            .limits = "Deep parallax does not divide by the view's height: at grazing views it draws too little depth. Heights are not "
+                      "drawn with triplanar "
+                      "mapping."},
+        .help = "StandardMaterial3D (.tres) with its textures and their .import files: the height lossless and without mipmaps, which "
+                "spoil the march."},
+    {.key = "godot3",
+        .label = "Godot 3",
+        .engine = {.version = "3.2.3, run",
+            .technique = "as-godot3",
+            .isDepth = true,
+            .property = "depth_scale",
+            .bits = 8,
+            .limits = "Deep parallax does not divide by the view's height: at grazing views it draws too little depth."},
+        .help = "SpatialMaterial (.tres) with its textures; the height is written as a depth map, which Godot 3 reads."},
+    {.key = "unity-builtin",
+        .label = "Unity, built-in pipeline",
+        .engine = {.version = "2022.3, by its published formula",
+            .technique = "as-unity-builtin",
+            .channel = Channel::G,
+            .zero = 0.5f,
+            .property = "_Parallax",
+            .min = 0.005f,
+            .max = 0.08f,
+            .bits = 8,
+            .limits = "One step along the view, with mid-grey on the surface: no occlusion, and wrong on steep relief."},
+        .help = "Standard material (.mat) with .meta files that set up its textures; to be copied into Assets."},
+    {.key = "unity-urp",
+        .label = "Unity, universal pipeline",
+        .engine = {.version = "URP 14, by its published formula",
+            .technique = "as-unity-urp",
+            .channel = Channel::G,
+            .zero = 0.5f,
+            .property = "_Parallax",
+            .min = 0.005f,
+            .max = 0.08f,
+            .bits = 8,
+            .limits = "One step along the view, with mid-grey on the surface: no occlusion, and wrong on steep relief. Its shadow and "
+                      "depth passes know no "
+                      "parallax."},
+        .help = "Lit material (.mat) with .meta files that set up its textures; to be copied into Assets."},
+    {.key = "unity-hdrp",
+        .label = "Unity, high definition pipeline",
+        .engine = {.version = "HDRP 14, by its published formula",
+            .technique = "as-unity-hdrp",
+            .property = "_HeightPoMAmplitude",
+            .of = DepthOf::Metres,
+            .factor = 100.f,
+            .limits = "Few steps (5 to 15) unless they are raised: thin relief is missed."},
+        .help = "Lit material (.mat) with pixel displacement in centimetres, a mask map, and .meta files; to be copied into Assets."},
+    {.key = "unreal",
+        .label = "Unreal Engine 5",
+        .engine = {.version = "5.4, by its published formula",
+            .technique = "as-unreal",
+            .zeroIsFree = true,
+            .property = "Height Ratio",
+            .greenDown = true,
+            .limits = "The depth of steep views ends in steps where Max Steps are few."},
+        .help = "Python for the editor that imports the textures and makes the material, with the parallax occlusion node wired."},
+    {.key = "o3de",
+        .label = "O3DE",
+        .engine = {.version = "24.09, by its published formula",
+            .technique = "as-o3de",
+            .property = "parallax.factor",
+            .of = DepthOf::Metres,
+            .limits = "Shadows stay flat under parallax."},
+        .help = "StandardPBR material (.material) with its textures."},
+    {.key = "bevy",
+        .label = "Bevy",
+        .engine = {.version = "0.15, by its published formula",
+            .technique = "as-bevy",
+            .isDepth = true,
+            .property = "parallax_depth_scale",
+            .bits = 8,
+            .limits = "The prepass (shadows, ambient occlusion) knows no parallax."},
+        .help = "Rust that makes the StandardMaterial, with its textures; the height is written as a depth map, which Bevy reads."},
+    {.key = "babylon",
+        .label = "Babylon.js",
+        .engine = {.version = "9.35, run",
+            .technique = "as-babylon",
+            .channel = Channel::A,
+            .property = "parallaxScaleBias",
+            .bits = 8,
+            .limits
+            = "15 steps whatever the view, and the ray ends before the full depth: at 0.58 of it straight down, 0.8 at 70 degrees."},
+        .help = "ES module that makes a PBRMaterial with parallax occlusion; the height lies in the alpha of the normal map."},
+    {.key = "playcanvas",
+        .label = "PlayCanvas",
+        .engine = {.version = "2.23, run",
+            .technique = "as-playcanvas",
+            .zeroIsFree = true,
+            .property = "heightMapFactor",
+            .factor = 10.f,
+            .bits = 8,
+            .limits = "At most 16 samples, and never more than 5 depths sideways: grazing views are too shallow. Versions before 2.22 draw "
+                      "an offset only."},
+        .help = "ES module that makes a StandardMaterial with parallax occlusion."},
+    {.key = "three",
+        .label = "three.js",
+        .engine = {.version = "0.187, run",
+            .zeroIsFree = true,
+            .property = "displacementScale",
+            .of = DepthOf::Metres,
+            .bits = 8,
+            .limits = "three.js has no parallax: vertices are moved, so the mesh must be finely divided."},
+        .help = "ES module that makes a MeshStandardMaterial with a displacement map."},
+    {.key = "blender",
+        .label = "Blender",
+        .engine = {.version = "3.4, run",
+            .zeroIsFree = true,
+            .property = "Scale",
+            .of = DepthOf::Metres,
+            .limits = "Vertices are moved: the mesh must be finely divided (a Subdivision modifier, or adaptive subdivision)."},
+        .help = "Python that makes the material's nodes, displacement with midlevel and scale, in Blender 3.4 and later."},
+    {.key = "usd",
+        .label = "USD",
+        .engine = {.zeroIsFree = true,
+            .property = "inputs:scale of the displacement texture",
+            .of = DepthOf::Metres,
+            .limits = "Displacement is drawn by renderers that divide meshes; real-time viewers leave it out."},
+        .help = "Material (.usda) with UsdPreviewSurface: textures, displacement with scale and bias in metres."},
+    {.key = "packed",
+        .label = "Packed textures",
+        .help = "Base color, normal and height, and occlusion, roughness and metallic in one texture: what most engines and painting "
+                "programs take."},
 });
 
 const ExportRow* findExport(std::string_view key); // nullptr when unknown
+
+// What all targets are given where a State is exported: picture A, and what it shows.
+Parameters parametersOf(const ExportJob& job);
+std::string techniqueOf(const ExportJob& job); // key
 
 } // namespace relievo

@@ -150,7 +150,7 @@ private:
         if (!texture)
             return tl::unexpected(texture.error());
         const float measured = m_job.resources.mesh->metresPerUV;
-        const std::string technique = m_job.state.panes.empty() ? Pane().technique : m_job.state.panes.front().technique;
+        const std::string technique = techniqueOf(m_job);
         Json numbers = {{"depth", shortest(physicalDepth(m_parameters, measured))}, {"midlevel", shortest(m_parameters.midlevel)},
             {"metresPerUV", shortest(metresPerUV(m_parameters, measured))}, {"technique", technique}, {"minSteps", m_parameters.minSteps},
             {"maxSteps", m_parameters.maxSteps}, {"refineSteps", m_parameters.refineSteps}};

@@ -15,6 +15,8 @@ float linearOf(float srgb)
 {
     return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
+} // namespace
+
 float srgbOf(float linear)
 {
     const float v = std::clamp(linear, 0.f, 1.f);
@@ -43,8 +45,7 @@ void store(Image& image, int x, int y, int channel, float value)
     }
 }
 
-// Bilinear between texel centres, the image repeated: maps of one material may differ in size.
-float sample(const Image& image, float u, float v, int channel)
+float sampled(const Image& image, float u, float v, int channel)
 {
     const float x = u * float(image.width) - 0.5f, y = v * float(image.height) - 0.5f;
     const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
@@ -56,6 +57,7 @@ float sample(const Image& image, float u, float v, int channel)
     return top * (1.f - fy) + bottom * fy;
 }
 
+namespace {
 // Share of texel i in [from, to).
 float overlap(int i, double from, double to)
 {
@@ -122,7 +124,8 @@ Image eightBit(const Image& image, bool srgb)
 
 Image heightImage(const HeightField& field, int bits)
 {
-    Image out = emptyImage(field.width(), field.height(), 1, bits == 8 ? PixelType::U8 : PixelType::U16);
+    const PixelType type = bits == 8 ? PixelType::U8 : bits == 16 ? PixelType::U16 : PixelType::F32;
+    Image out = emptyImage(field.width(), field.height(), 1, type);
     for (int y = 0; y < field.height(); ++y)
         for (int x = 0; x < field.width(); ++x)
             store(out, x, y, 0, field.texel(x, y));
@@ -143,8 +146,8 @@ std::optional<Image> baseColorImage(const Material& material, int size)
         for (int x = 0; x < out.width; ++x) {
             const float u = (float(x) + 0.5f) / float(out.width), v = (float(y) + 0.5f) / float(out.height);
             for (int c = 0; c < 3; ++c)
-                store(out, x, y, c, color ? sample(rgb, u, v, c) : 1.f);
-            store(out, x, y, 3, sample(*opacity, u, v, 0));
+                store(out, x, y, c, color ? sampled(rgb, u, v, c) : 1.f);
+            store(out, x, y, 3, sampled(*opacity, u, v, 0));
         }
     });
     return reduced(out, size, Averaging::Srgb);
@@ -164,9 +167,9 @@ std::optional<Image> packedImage(const Material& material, int size)
     tbb::parallel_for(0, out.height, [&](int y) {
         for (int x = 0; x < out.width; ++x) {
             const float u = (float(x) + 0.5f) / float(out.width), v = (float(y) + 0.5f) / float(out.height);
-            store(out, x, y, 0, occlusion ? sample(*occlusion, u, v, 0) : 1.f);
-            store(out, x, y, 1, roughness ? sample(*roughness, u, v, 0) : gloss ? 1.f - sample(*gloss, u, v, 0) : 1.f);
-            store(out, x, y, 2, metallic ? sample(*metallic, u, v, 0) : 0.f);
+            store(out, x, y, 0, occlusion ? sampled(*occlusion, u, v, 0) : 1.f);
+            store(out, x, y, 1, roughness ? sampled(*roughness, u, v, 0) : gloss ? 1.f - sampled(*gloss, u, v, 0) : 1.f);
+            store(out, x, y, 2, metallic ? sampled(*metallic, u, v, 0) : 0.f);
         }
     });
     return reduced(out, size, Averaging::Plain);

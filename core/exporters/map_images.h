@@ -6,6 +6,15 @@
 
 namespace relievo {
 
+// All zero.
+Image emptyImage(int width, int height, int channels, PixelType type);
+// Sets one channel of one texel, rounded to what the image holds; integers take [0, 1].
+void store(Image& image, int x, int y, int channel, float value);
+// Bilinear between texel centres, the image repeated: maps of one material may differ in size.
+float sampled(const Image& image, float u, float v, int channel);
+// Encoded as sRGB, of [0, 1].
+float srgbOf(float linear);
+
 // How the numbers of an image are averaged when it is reduced.
 enum class Averaging { Plain, Srgb, Normals };
 
@@ -16,7 +25,7 @@ Image reduced(const Image& image, int size, Averaging averaging);
 // 8 bits a channel. srgb: F32 values are linear and become encoded; integers stay what they are.
 Image eightBit(const Image& image, bool srgb);
 
-// Heights as one channel of 8 or 16 bits.
+// Heights as one channel of 8, 16 or 32 bits (float).
 Image heightImage(const HeightField& field, int bits);
 
 // Base colour with opacity as alpha (3 channels when there is none), 8 bits sRGB; nothing when the material has neither. Where it has no

@@ -40,7 +40,7 @@ Json numbersOf(const ExportJob& job, const Parameters& parameters)
         numbers[key] = shortest(parameters.*parameter);
     numbers.update({{"metresPerUV", shortest(unit)}, {"tileMetres", shortest(unit / parameters.tiling)},
         {"offset", {shortest(parameters.offsetU), shortest(parameters.offsetV)}}, {"wrap", wordOf(parameters.wrap)},
-        {"technique", job.state.panes.empty() ? Pane().technique : job.state.panes.front().technique}});
+        {"technique", techniqueOf(job)}});
     return numbers;
 }
 
@@ -115,7 +115,7 @@ Expected<Exported> exportTextures(const ExportJob& job)
     NewFiles made;
     if (Expected<void> folder = made.makeFolder(job.out); !folder)
         return tl::unexpected(folder.error());
-    const Parameters parameters = effectiveParameters(job.state, 0);
+    const Parameters parameters = parametersOf(job);
     Json numbers = numbersOf(job, parameters), maps = Json::array();
     Json unfinished = numbers;
     unfinished[kUnfinishedExport] = true;

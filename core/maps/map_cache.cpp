@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/maps/map_cache.h"
 #include "core/ground/file.h"
+#include "core/ground/hash.h"
 #include "core/maps/maps.h"
 #include "core/state/techniques.h"
 #include <algorithm>
@@ -17,18 +18,6 @@ namespace relievo {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string hexHash(std::span<const std::byte> bytes)
-{
-    XXH128_canonical_t canonical;
-    XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes.data(), bytes.size()));
-    std::string text;
-    for (const unsigned char digit : canonical.digest) {
-        text += "0123456789abcdef"[digit >> 4];
-        text += "0123456789abcdef"[digit & 15];
-    }
-    return text;
-}
 
 struct Kept {
     std::string key;
@@ -91,7 +80,7 @@ bool readLevel(Reader& heads, Reader& data, const MapShape& shape, MapShape::Lev
 
 fs::path fileOf(const fs::path& folder, const std::string& key)
 {
-    return folder / (hexHash(std::as_bytes(std::span(key))) + ".map");
+    return folder / (hexHash(key) + ".map");
 }
 
 // Whether the cache writes such names: those of fileOf, and the temporary ones of writeAtomically, which a crash leaves behind.

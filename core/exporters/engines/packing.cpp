@@ -1,0 +1,228 @@
+// Packing: each channel from its map, made equal in size, quantised once.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exporters/engines/packing.h"
+#include "core/exporters/map_images.h"
+#include "core/maps/maps.h"
+#include <cmath>
+#include <tbb/parallel_for.h>
+
+namespace relievo {
+namespace {
+using From = PackedChannel::From;
+
+// Where a channel's numbers come from: an image, or one value.
+struct Source {
+    std::shared_ptr<const Image> image;
+    int channel = 0;
+    float value = 0.f;
+    bool inverted = false, linearColor = false, dithers = false;
+
+    float at(int x, int y, int width, int height) const
+    {
+        float v = value;
+        if (image && image->width == width && image->height == height)
+            v = image->value(x, y, channel);
+        else if (image)
+            v = sampled(*image, (float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height), channel);
+        if (linearColor)
+            v = srgbOf(v);
+        return inverted ? 1.f - v : v;
+    }
+};
+
+// In [0, 1), different from texel to texel and evenly spread (interleaved gradient noise, Jimenez 2014).
+float threshold(int x, int y)
+{
+    const float v = 52.9829189f * std::fmod(0.06711056f * float(x) + 0.00583715f * float(y), 1.f);
+    return v - std::floor(v);
+}
+
+class Packer {
+public:
+    Packer(const PackedTexture& texture, const ExportJob& job, const WrittenHeights& heights, const Parameters& parameters)
+        : m_texture(texture)
+        , m_job(job)
+        , m_material(*job.resources.material)
+        , m_heights(heights)
+        , m_parameters(parameters)
+    {
+    }
+
+    Image picture()
+    {
+        int width = 1, height = 1;
+        for (const PackedChannel& channel : m_texture.channels) {
+            if (channel.kind == MapKind::Opacity && !m_material.map(MapKind::Opacity) && m_sources.size() == 3)
+                continue; // no alpha where nothing is transparent
+            m_sources.push_back(sourceOf(channel));
+            if (const Image* image = m_sources.back().image.get();
+                image && image->texelCount() > std::size_t(width) * std::size_t(height)) {
+                width = image->width;
+                height = image->height;
+            }
+        }
+        if (m_job.progress.cancelled())
+            return {};
+        const PixelType type = m_texture.bits == 8 ? PixelType::U8 : m_texture.bits == 16 ? PixelType::U16 : PixelType::F32;
+        Image out = emptyImage(width, height, int(m_sources.size()), type);
+        tbb::parallel_for(0, height, [&](int y) {
+            for (int x = 0; x < width; ++x)
+                for (int c = 0; c < out.channels; ++c) {
+                    const Source& source = m_sources[std::size_t(c)];
+                    const float v = source.at(x, y, width, height);
+                    store(out, x, y, c, source.dithers ? std::floor(v * 255.f + threshold(x, y)) / 255.f : v);
+                }
+        });
+        return out;
+    }
+
+private:
+    Source sourceOf(const PackedChannel& channel)
+    {
+        Source source{nullptr, channel.channel, channel.value, channel.inverted};
+        switch (channel.from) {
+        case From::Constant:
+            break;
+        case From::Height:
+            if (m_heights.field)
+                source.image = fitted("height", heightImage(*m_heights.field, m_texture.bits == 32 ? 32 : 16), Averaging::Plain);
+            source.value = 1.f;
+            source.dithers
+                = m_texture.bits == 8 && m_job.cures.contains(Cure::Dither) && m_heights.field && m_heights.field->storedBits() > 8;
+            break;
+        case From::Normal:
+            source.image = normals();
+            source.value = channel.channel == 2 ? 1.f : 0.5f;
+            break;
+        case From::Map:
+            takeMap(channel, source);
+            break;
+        case From::Baked:
+            source.image = baked(channel.baked);
+            break;
+        }
+        return source;
+    }
+
+    void takeMap(const PackedChannel& channel, Source& source)
+    {
+        const MapKindRow& kind = row(channel.kind);
+        const Image* map = m_material.map(channel.kind);
+        source.value = channel.kind == MapKind::Color                ? srgbOf(kColorWithoutMap)
+            : kind.withoutMap.find("0.0f") != std::string_view::npos ? 0.f
+                                                                     : 1.f;
+        if (!map && channel.kind == MapKind::Roughness && (map = m_material.map(MapKind::Gloss)))
+            source.inverted = !source.inverted;
+        if (!map)
+            return;
+        source.image = fitted(std::string(kind.key), *map, kind.isColor ? Averaging::Srgb : Averaging::Plain);
+        source.linearColor = kind.isColor && map->type == PixelType::F32 && m_texture.bits != 32;
+    }
+
+    std::shared_ptr<const Image> normals()
+    {
+        std::shared_ptr<const Image>& kept = m_fitted["normal"];
+        if (kept)
+            return kept;
+        std::optional<Image> normal;
+        if (m_material.map(MapKind::Normal) || m_job.cures.contains(Cure::Normals))
+            normal = normalImage(m_material, m_parameters, m_job.progress);
+        if (normal)
+            kept = std::make_shared<const Image>(reduced(*normal, m_job.size, Averaging::Normals));
+        return kept;
+    }
+
+    std::shared_ptr<const Image> baked(const std::string& key)
+    {
+        if (!m_heights.field)
+            return nullptr;
+        const auto found = std::ranges::find(kBakedMaps, key, &BakedMapRow::key);
+        const auto map = cachedMap(*found, m_heights.field->withWrap(m_parameters.wrap), m_parameters, m_job.progress);
+        return map ? std::shared_ptr<const Image>(*map, &(*map)->levels.front()) : nullptr;
+    }
+
+    std::shared_ptr<const Image> fitted(const std::string& key, const Image& map, Averaging averaging)
+    {
+        std::shared_ptr<const Image>& kept = m_fitted[key];
+        if (!kept)
+            kept = std::make_shared<const Image>(reduced(map, m_job.size, averaging));
+        return kept;
+    }
+
+    const PackedTexture& m_texture;
+    const ExportJob& m_job;
+    const Material& m_material;
+    const WrittenHeights& m_heights;
+    const Parameters& m_parameters;
+    std::vector<Source> m_sources;
+    std::map<std::string, std::shared_ptr<const Image>> m_fitted;
+};
+} // namespace
+
+float WrittenHeights::coarseness(const Parameters& parameters) const
+{
+    return field && field->storedBits() > 8 ? parameters.depth * span / 255.f * float(field->width()) : 0.f;
+}
+
+WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters)
+{
+    WrittenHeights written{job.resources.material->height};
+    if (!written.field)
+        return written;
+    written.field = written.field->withWrap(parameters.wrap);
+    if (!job.cures.contains(Cure::FullRange))
+        return written;
+    const auto [low, high] = std::ranges::minmax(written.field->texels());
+    if (low == high || (low == 0.f && high == 1.f)) // flat heights have no range to use
+        return written;
+    written.low = low;
+    written.span = high - low;
+    std::vector<float> stretched(written.field->texels().begin(), written.field->texels().end());
+    for (float& h : stretched)
+        h = std::clamp((h - written.low) / written.span, 0.f, 1.f);
+    written.field = HeightField(
+        written.field->width(), written.field->height(), std::move(stretched), parameters.wrap, std::max(written.field->storedBits(), 16));
+    return written;
+}
+
+bool isPresent(const PackedTexture& texture, const ExportJob& job)
+{
+    const Material& material = *job.resources.material;
+    return std::ranges::any_of(texture.channels, [&](const PackedChannel& channel) {
+        switch (channel.from) {
+        case From::Constant:
+            return false;
+        case From::Height:
+        case From::Baked:
+            return material.height.has_value();
+        case From::Normal:
+            return material.map(MapKind::Normal) || (material.height && job.cures.contains(Cure::Normals));
+        case From::Map:
+            return material.map(channel.kind) || (channel.kind == MapKind::Roughness && material.map(MapKind::Gloss));
+        }
+        return false;
+    });
+}
+
+Image packed(const PackedTexture& texture, const ExportJob& job, const WrittenHeights& heights, const Parameters& parameters)
+{
+    return Packer(texture, job, heights, parameters).picture();
+}
+
+std::string contentOf(const PackedTexture& texture, const ExportJob& job, const WrittenHeights& heights, const Parameters& parameters)
+{
+    std::string content = std::filesystem::path(texture.file).extension().string() + ' ' + std::to_string(texture.bits) + ' '
+        + std::to_string(texture.srgb) + ' ' + std::to_string(job.size);
+    for (const PackedChannel& channel : texture.channels) {
+        content += ' ' + channel.word;
+        if (channel.from == From::Height || channel.from == From::Baked)
+            content += " of " + std::to_string(heights.low) + ' ' + std::to_string(heights.span) + ' '
+                + std::to_string(job.cures.contains(Cure::Dither));
+        if (channel.from == From::Baked || channel.from == From::Normal)
+            content += " at " + std::to_string(parameters.depth) + ' ' + std::to_string(job.cures.contains(Cure::Normals));
+    }
+    return content;
+}
+
+} // namespace relievo

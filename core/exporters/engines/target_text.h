@@ -1,0 +1,60 @@
+// A target as text: which textures it takes, and the files that go with them, as templates (Mustache) over named values.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/exporters/exporters.h"
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace relievo {
+
+// One channel of a written texture.
+struct PackedChannel {
+    enum class From { Constant, Height, Map, Normal, Baked } from = From::Constant;
+    float value = 0.f; // of a constant
+    MapKind kind = MapKind::Height; // of a map
+    int channel = 0; // of the map, of the normal (x y z), or of the baked map
+    bool inverted = false; // 1 - value
+    std::string baked = {}; // key of kBakedMaps
+    std::string word; // as the file says it: "roughness", "normal_y_directx", "cone_relaxed_g", "1.0"
+};
+struct PackedTexture {
+    std::string key; // what the templates call it
+    std::string file; // its name, a template of `name` alone; the suffix is the format
+    std::vector<PackedChannel> channels; // 1 to 4
+    int bits = 8; // 8, 16 or 32 (float)
+    bool srgb = false; // holds colour as it is stored
+    bool onlyWhenCoarse = false; // written only where 8 bits show the height's steps
+    bool holdsHeight() const;
+};
+struct TargetFile {
+    std::string name; // template; relative, never out of the folder
+    std::string text; // template
+    bool eachTexture = false; // once for each texture that is written, whose values are named too
+    int line = 0; // of `text` in the target's file, for messages
+};
+struct TargetText {
+    std::string where; // file, or KEY.tpl of the program's own
+    std::vector<PackedTexture> textures;
+    std::vector<TargetFile> files;
+    // A user's own row; its views look into `words`.
+    std::unique_ptr<ExportRow> own = {};
+    std::unique_ptr<const std::vector<std::string>> words = {};
+};
+
+// JSON alone (packed textures), or JSON followed by sections that begin with a line "=== NAME" or "=== NAME each texture". Errors name the
+// line, or the member, and what would be right. `isOwn`: the JSON tells the row as well (key from the file's name).
+Expected<TargetText> parseTarget(const std::string& text, const std::string& where, bool isOwn);
+
+// The text of a row that code does not write; of the program's own, resources/exports/KEY.tpl.
+const TargetText& textOf(const ExportRow& row);
+
+// A user's target: .json or .tpl. Kept until the program ends, so that the row may be used like those of kExports.
+Expected<const ExportRow*> ownTarget(const std::filesystem::path& file);
+
+// A channel's word; nothing when it is none.
+std::optional<PackedChannel> channelOf(const std::string& word);
+std::string channelWords(); // all of them, for messages and the manual
+
+} // namespace relievo

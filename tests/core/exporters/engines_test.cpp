@@ -1,0 +1,354 @@
+// Targets by text: every row's text fits its facts, the physical depth arrives in each engine's number, and bad targets are refused by
+// line. SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exporters/engines/target_text.h"
+#include "core/exporters/engines/template_values.h"
+#include "core/exporters/exporters.h"
+#include "core/ground/file.h"
+#include "core/image/files/image_file.h"
+#include "core/scene/source.h"
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <unistd.h>
+
+using namespace relievo;
+namespace fs = std::filesystem;
+
+namespace {
+class Engines : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        std::string name = (fs::temp_directory_path() / "relievo-engines-XXXXXX").string();
+        m_folder = mkdtemp(name.data());
+    }
+    void TearDown() override { fs::remove_all(m_folder); }
+
+    // A material of heights from `low` to `high` and, if wanted, all other maps, on the box (one tile is one metre).
+    void make(float low, float high, bool maps = false, int bits = 16)
+    {
+        std::vector<float> heights(64 * 64);
+        for (std::size_t i = 0; i < heights.size(); ++i)
+            heights[i] = low + (high - low) * float(i) / float(heights.size() - 1);
+        auto material = std::make_shared<Material>();
+        material->height = HeightField(64, 64, heights, Wrap::Repeat, bits);
+        for (const MapKindRow& row : kMapKinds) {
+            if (!maps || row.kind == MapKind::Height || row.kind == MapKind::Gloss)
+                continue;
+            auto image = std::make_shared<Image>(Image{64, 64, row.channels, PixelType::U8, 8, false, {}});
+            image->data.assign(std::size_t(64 * 64 * row.channels), std::byte(200));
+            material->maps[std::size_t(row.kind)] = image;
+        }
+        m_state.mesh = "box";
+        m_resources = *loadResources(m_state, {}, {});
+        m_resources.material = material;
+    }
+    ExportJob job(const fs::path& out) const { return {m_state, m_resources, out, 0, {}}; }
+    std::string textOfFile(const fs::path& file) const { return readText(file).value_or(""); }
+    // What the file says after `property`.
+    static float numberAfter(const std::string& text, const std::string& property)
+    {
+        std::smatch found;
+        const std::regex pattern(property + R"([^-0-9\n]*(-?[0-9.]+))");
+        return std::regex_search(text, found, pattern) ? std::stof(found[1]) : std::nanf("");
+    }
+    Expected<Exported> run(std::string_view key, const std::string& folder) const { return findExport(key)->run(job(m_folder / folder)); }
+    // A user's target.
+    Expected<const ExportRow*> own(const std::string& name, const std::string& text)
+    {
+        std::ofstream(m_folder / name) << text;
+        return ownTarget(m_folder / name);
+    }
+
+    fs::path m_folder;
+    State m_state;
+    Resources m_resources;
+};
+
+constexpr const char* kPacked = R"({"textures": [{"key": "height", "file": "{{name}}_h.png", "channels": ["height"], "bits": 16}]})";
+} // namespace
+
+TEST_F(Engines, TextsFitTheFactsOfTheirRows)
+{
+    for (const ExportRow& row : kExports) {
+        if (row.code)
+            continue;
+        const TargetText& text = textOf(row);
+        EXPECT_FALSE(text.textures.empty()) << row.key;
+        bool reads = false;
+        for (const PackedTexture& texture : text.textures)
+            for (std::size_t c = 0; c < texture.channels.size(); ++c) {
+                const PackedChannel& channel = texture.channels[c];
+                if (channel.from == PackedChannel::From::Height) {
+                    EXPECT_EQ(channel.inverted, row.engine.isDepth) << row.key;
+                    reads
+                        = reads || texture.channels.size() == 1 || c == std::size_t(row.engine.channel); // one channel is grey: all of them
+                    EXPECT_GE(row.engine.bits, texture.bits) << row.key << " keeps fewer bits than are written";
+                }
+                if (channel.from == PackedChannel::From::Normal && channel.channel == 1) {
+                    EXPECT_EQ(channel.inverted, row.engine.greenDown) << row.key;
+                }
+            }
+        EXPECT_TRUE(reads) << row.key;
+    }
+}
+
+TEST_F(Engines, EachWritesWhatItSaysWithAllMapsAndWithHeightsAlone)
+{
+    m_state.name = "Old \"wall\" \\ \xc3\xbc";
+    for (const bool maps : {true, false}) {
+        make(0.f, 1.f, maps);
+        for (const ExportRow& row : kExports) {
+            if (row.code)
+                continue;
+            const fs::path out = m_folder / (std::string(row.key) + (maps ? "_all" : "_one"));
+            std::vector<fs::path> told = row.writes(job(out));
+            const Expected<Exported> exported = row.run(job(out));
+            ASSERT_TRUE(exported) << row.key << ": " << message(exported.error());
+            EXPECT_EQ(told, exported->files) << row.key;
+            std::size_t there = 0;
+            for (const auto& entry : fs::recursive_directory_iterator(out))
+                there += entry.is_regular_file() ? 1 : 0;
+            EXPECT_EQ(there, exported->files.size()) << row.key;
+            for (const fs::path& file : exported->files)
+                if (file.extension() != ".png" && file.extension() != ".exr") {
+                    const std::string text = textOfFile(file);
+                    EXPECT_EQ(text.find("{{"), std::string::npos) << file;
+                    EXPECT_EQ(text.find("nan"), std::string::npos) << file;
+                }
+        }
+    }
+    const std::string material = textOfFile(m_folder / "o3de_all" / "OldWallü.material");
+    EXPECT_TRUE(nlohmann::json::parse(material, nullptr, false).is_object()) << material;
+    EXPECT_NE(textOfFile(m_folder / "godot4_all" / "OldWallü.tres").find(R"(resource_name = "Old \"wall\" \\ ü")"), std::string::npos);
+}
+
+// D = depth x tile size; what each engine makes of its number is the right side, from exports.md's formulas.
+TEST_F(Engines, TheDepthArrivesInEachEnginesNumber)
+{
+    make(0.f, 1.f);
+    m_state.parameters.depth = 0.06f;
+    m_state.parameters.midlevel = 0.75f;
+    m_state.parameters.metresPerUV = 2.f;
+    m_state.parameters.tiling = 4.f; // a tile of 0.5 m: D = 0.03 m
+    m_state.name = "m";
+    const struct {
+        const char *key, *file, *property;
+        float number;
+    } wanted[] = {
+        {"godot4", "m.tres", "heightmap_scale", 6.f}, // UV offset = number / 100, added after uv1_scale: in tiles
+        {"godot3", "m.tres", "depth_scale", 0.06f}, {"unity-builtin", "m.mat", "_Parallax:", 0.06f},
+        {"unity-urp", "m.mat", "_Parallax:", 0.06f}, {"unity-hdrp", "m.mat", "_HeightPoMAmplitude:", 3.f}, // cm
+        {"unity-hdrp", "m.mat", "_HeightAmplitude:", 0.03f}, // m
+        {"unity-hdrp", "m.mat", "_PPDPrimitiveLength:", 2.f}, // m
+        {"unreal", "m.py", R"(number\()", 8.f}, // Min Steps comes first
+        {"o3de", "m.material", "parallax.factor", 0.03f}, {"bevy", "m.rs", "parallax_depth_scale:", 0.06f},
+        {"babylon", "m.mjs", "parallaxScaleBias =", 0.06f}, {"playcanvas", "m.mjs", "heightMapFactor =", 0.6f}, // 0.1 x factor in tiles
+        {"playcanvas", "m.mjs", "heightMapBase =", 0.75f}, {"three", "m.mjs", "displacementScale =", 0.03f},
+        {"three", "m.mjs", "displacementBias =", -0.0225f}, {"blender", "m.py", R"("Scale"\].default_value = )", 4.f}, // of the UVs
+        {"blender", "m.py", R"(displace.inputs\["Scale"\].default_value =)", 0.03f},
+        {"blender", "m.py", R"("Midlevel"\].default_value =)", 0.75f}, {"packed", "m_depth.txt", "Depth from black to white:", 30.f}, // mm
+    };
+    for (const auto& row : wanted) {
+        const Expected<Exported> exported = run(row.key, row.key);
+        ASSERT_TRUE(exported) << message(exported.error());
+        EXPECT_NEAR(numberAfter(textOfFile(m_folder / row.key / row.file), row.property), row.number, 1e-5f)
+            << row.key << ' ' << row.property;
+    }
+    const std::string unreal = textOfFile(m_folder / "unreal/m.py");
+    EXPECT_NE(unreal.find("number(0.06, \"Height Ratio\""), std::string::npos);
+    EXPECT_NE(unreal.find("number(0.75, \"Reference Plane\""), std::string::npos);
+    ASSERT_TRUE(run("usd", "usd"));
+    const std::string usd = textOfFile(m_folder / "usd/m.usda");
+    EXPECT_NE(usd.find("inputs:scale = (0.03, 0.03, 0.03, 1)"), std::string::npos);
+    EXPECT_NE(usd.find("inputs:bias = (-0.0225, -0.0225, -0.0225, 0)"), std::string::npos);
+}
+
+TEST_F(Engines, HeightsUseTheirFullRangeAndTheRestGoesIntoTheNumbers)
+{
+    make(0.25f, 0.75f);
+    m_state.name = "m";
+    m_state.parameters.midlevel = 0.5f;
+    ASSERT_TRUE(run("blender", "b"));
+    const std::string text = textOfFile(m_folder / "b/m.py");
+    EXPECT_NEAR(numberAfter(text, R"(displace.inputs\["Scale"\].default_value =)"), 0.04f, 1e-6f); // half of 0.08 m
+    EXPECT_NEAR(numberAfter(text, R"("Midlevel"\].default_value =)"), 0.5f, 1e-6f);
+    const Expected<ImageRead> height = readImage(m_folder / "b/m_height.png");
+    ASSERT_TRUE(height);
+    EXPECT_EQ(height->image.value(0, 0, 0), 0.f);
+    EXPECT_EQ(height->image.value(63, 63, 0), 1.f);
+
+    ExportJob plain = job(m_folder / "plain");
+    plain.cures = {Cure::Normals};
+    ASSERT_TRUE(findExport("blender")->run(plain));
+    EXPECT_NEAR(numberAfter(textOfFile(m_folder / "plain/m.py"), R"(displace.inputs\["Scale"\].default_value =)"), 0.08f, 1e-6f);
+    EXPECT_NEAR(readImage(m_folder / "plain/m_height.png")->image.value(63, 63, 0), 0.75f, 1e-4f);
+}
+
+TEST_F(Engines, WhatAnEngineGetsWrongIsTold)
+{
+    make(0.f, 1.f);
+    m_state.parameters.depth = 0.2f; // Unity's number ends at 0.08
+    m_state.parameters.rotation = 30.f;
+    const Expected<Exported> unity = run("unity-urp", "u");
+    ASSERT_TRUE(unity);
+    const auto told = [](const Exported& exported, const std::string& code) {
+        const auto found = std::ranges::find(exported.warnings, code, &Warning::code);
+        return found == exported.warnings.end() ? std::string() : found->text;
+    };
+    EXPECT_NE(told(*unity, "depth-clamped").find("0.4 times as deep"), std::string::npos);
+    EXPECT_NE(told(*unity, "zero-differs").find("40 mm higher"), std::string::npos)
+        << told(*unity, "zero-differs"); // grey, not white, at 0.08 m
+    EXPECT_FALSE(told(*unity, "rotation-lost").empty());
+    EXPECT_FALSE(told(*unity, "banding").empty());
+    EXPECT_FALSE(told(*unity, "engine-limits").empty());
+    const Expected<Exported> blender = run("blender", "b");
+    for (const char* code : {"depth-clamped", "zero-differs", "rotation-lost", "banding"})
+        EXPECT_EQ(told(*blender, code), "") << code;
+}
+
+TEST_F(Engines, EightBitsAreDitheredToTheRightMean)
+{
+    make(0.f, 1.f);
+    std::vector<float> flat(64 * 64, 0.5f + 0.3f / 255.f); // between two codes
+    flat[0] = 0.f;
+    flat[1] = 1.f;
+    auto material = std::make_shared<Material>(*m_resources.material);
+    material->height = HeightField(64, 64, flat, Wrap::Repeat, 16);
+    m_resources.material = material;
+    m_state.name = "m";
+    ASSERT_TRUE(run("bevy", "dithered"));
+    const Image image = readImage(m_folder / "dithered/m_depth.png")->image;
+    EXPECT_EQ(image.type, PixelType::U8);
+    double mean = 0;
+    for (int y = 1; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            mean += 1. - double(image.value(x, y, 0));
+    EXPECT_NEAR(mean / (63 * 64), 0.5 + 0.3 / 255, 0.05 / 255);
+}
+
+TEST_F(Engines, EqualPicturesAreEncodedOnce)
+{
+    make(0.f, 1.f, true);
+    m_state.name = "m";
+    WrittenPictures pictures;
+    ExportJob first = job(m_folder / "one"), second = job(m_folder / "two");
+    first.pictures = second.pictures = &pictures;
+    ASSERT_TRUE(findExport("bevy")->run(first));
+    const std::size_t written = pictures.size();
+    fs::remove(m_folder / "one/m_orm.png");
+    std::ofstream(m_folder / "one/m_orm.png") << "copied"; // what lies there is taken, it is not packed again
+    ASSERT_TRUE(findExport("godot3")->run(second));
+    EXPECT_EQ(pictures.size(), written); // all five are equal to Bevy's
+    EXPECT_EQ(textOfFile(m_folder / "two/m_orm.png"), "copied");
+}
+
+TEST_F(Engines, AUsersTargetIsOneFile)
+{
+    make(0.f, 1.f, true);
+    m_state.name = "m";
+    const auto row = own("mine.tpl",
+        R"({"label": "Mine", "help": "H.", "depth": {"property": "depth_cm", "of": "m", "factor": 100, "max": 5},
+            "height": {"channel": "g", "zero": 0.5},
+            "textures": [{"key": "packed", "file": "{{name}}_p.tga", "channels": ["ao", "height", "1.0", "cone_relaxed_g"]}]}
+=== sub/{{name}}.txt
+{{title}}: {{number}} {{packed.file}}
+=== {{file}}.meta each texture
+{{key}} {{#isHeight}}height{{/isHeight}}
+)");
+    ASSERT_TRUE(row) << message(row.error());
+    EXPECT_EQ((*row)->key, "mine");
+    EXPECT_EQ((*row)->label, "Mine");
+    const Expected<Exported> exported = (*row)->run(job(m_folder / "out"));
+    ASSERT_TRUE(exported) << message(exported.error());
+    EXPECT_EQ(textOfFile(m_folder / "out/sub/m.txt"), "m: 5.0 m_p.tga\n"); // 8 cm wanted
+    EXPECT_EQ(textOfFile(m_folder / "out/m_p.tga.meta"), "packed height\n");
+    const Expected<ImageRead> image = readImage(m_folder / "out/m_p.tga");
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->image.channels, 4);
+    EXPECT_EQ(image->image.value(63, 63, 1), 1.f);
+    EXPECT_EQ(image->image.value(10, 10, 2), 1.f);
+}
+
+TEST_F(Engines, BadTargetsAreRefusedByNameAndLine)
+{
+    make(0.f, 1.f);
+    const struct {
+        std::string text, says;
+    } bad[] = {
+        {"{", "JSON"},
+        {"[]", "object"},
+        {R"({"textures": 3})", "textures"},
+        {R"({"textures": [], "colour": 1})", "colour"},
+        {R"({"textures": [{"key": "a", "file": "a.png", "channels": ["hight"]}]})", "hight"},
+        {R"({"textures": [{"key": "a", "file": "a.psd", "channels": ["height"]}]})", ".png"},
+        {R"({"textures": [{"key": "A b", "file": "a.png", "channels": ["height"]}]})", "textures[0].key"},
+        {R"({"textures": [{"key": "a", "file": "a.png", "channels": ["height"], "bits": 12}]})", "bits"},
+        {R"({"textures": [{"key": "a", "file": "a.png", "channels": ["height"]}, {"key": "a", "file": "b.png", "channels": ["ao"]}]})",
+            "twice"},
+        {R"({"depth": {"of": "ell"}, "textures": []})", "depth.of"},
+        {R"({"label": 3, "textures": []})", "JSON"},
+        {std::string(kPacked) + "\n=== \nx\n", ":2"},
+    };
+    for (const auto& [text, says] : bad) {
+        const auto row = own("bad.tpl", text);
+        ASSERT_FALSE(row) << text;
+        EXPECT_NE(message(row.error()).find(says), std::string::npos) << message(row.error());
+        EXPECT_NE(message(row.error()).find("bad.tpl"), std::string::npos) << message(row.error());
+    }
+    const struct {
+        std::string section, says;
+    } refused[] = {
+        {"=== a.txt\nfine\n{{depthFeet}}\n", "bad.tpl:4: {{depthFeet}}"},
+        {"=== a.txt\n{{#repeat}}\n{{nosuch}}\n{{/repeat}}\n", ":4"},
+        {"=== a.txt\n{{#repeat}}\n", "unclosed"},
+        {"=== a.txt\n{{>other}}\n", ":3"},
+        {"=== ../a.txt\nx\n", ":2"},
+        {"=== /tmp/a.txt\nx\n", ":2"},
+        {"=== a\\b.txt\nx\n", ":2"},
+        {"=== {{nosuch}}.txt\nx\n", "nosuch"},
+        {"=== {{name}}_h.png\nx\n", "twice"},
+    };
+    for (const auto& [section, says] : refused) {
+        const auto row = own("bad.tpl", std::string(kPacked) + '\n' + section);
+        ASSERT_TRUE(row) << message(row.error());
+        const Expected<Exported> exported = (*row)->run(job(m_folder / "out"));
+        ASSERT_FALSE(exported) << section;
+        EXPECT_NE(message(exported.error()).find(says), std::string::npos) << message(exported.error());
+        EXPECT_FALSE(fs::exists(m_folder / "out")) << section;
+    }
+}
+
+TEST_F(Engines, APackingStandsInForATargetsTextures)
+{
+    make(0.f, 1.f);
+    m_state.name = "m";
+    const Expected<TargetText> packing
+        = parseTarget(R"({"textures": [{"key": "height", "file": "{{name}}_disp.exr", "channels": ["height"]}]})", "p.json", false);
+    ASSERT_TRUE(packing);
+    ExportJob packed = job(m_folder / "g");
+    packed.packing = &*packing;
+    const Expected<Exported> exported = findExport("godot4")->run(packed);
+    ASSERT_TRUE(exported) << message(exported.error());
+    EXPECT_TRUE(fs::exists(m_folder / "g/m_disp.exr"));
+    EXPECT_FALSE(fs::exists(m_folder / "g/m_height.png"));
+    EXPECT_NE(textOfFile(m_folder / "g/m.tres").find("m_disp.exr"), std::string::npos);
+}
+
+TEST_F(Engines, CancellingLeavesNothing)
+{
+    make(0.f, 1.f, true);
+    std::stop_source stop;
+    ExportJob stopped = job(m_folder / "s");
+    stopped.progress.stop = stop.get_token();
+    stopped.progress.report = [&](float share) {
+        if (share > 0.3f)
+            stop.request_stop();
+    };
+    const Expected<Exported> exported = findExport("godot4")->run(stopped);
+    ASSERT_FALSE(exported);
+    EXPECT_TRUE(isCancelled(exported.error()));
+    EXPECT_FALSE(fs::exists(m_folder / "s"));
+}
