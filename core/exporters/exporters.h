@@ -256,6 +256,16 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
             .of = DepthOf::Metres,
             .limits = "Vertices are moved: the mesh must be finely divided (a Subdivision modifier, or adaptive subdivision)."},
         .help = "Python that makes the material's nodes, displacement with midlevel and scale, in Blender 3.4 and later."},
+    {.key = "materialx",
+        .label = "MaterialX",
+        .engine = {.version = "1.39, read by its own library",
+            .zeroIsFree = true,
+            .property = "scale of the displacement node",
+            .of = DepthOf::Metres,
+            .limits = "Displacement is drawn by renderers that divide meshes; MaterialX's own viewers leave it out, and three.js refuses "
+                      "files with it: "
+                      "take the one without."},
+        .help = "Material (.mtlx) with standard_surface and displacement in metres; for 1.39, for 1.38, and without displacement."},
     {.key = "usd",
         .label = "USD",
         .engine = {.zeroIsFree = true,

@@ -20,7 +20,7 @@ float linearOf(float srgb)
 float srgbOf(float linear)
 {
     const float v = std::clamp(linear, 0.f, 1.f);
-    return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1.f / 2.4f) - 0.055f;
+    return v >= 1.f ? 1.f : v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1.f / 2.4f) - 0.055f; // white stays white
 }
 
 Image emptyImage(int width, int height, int channels, PixelType type)

@@ -162,7 +162,7 @@ private:
 
 float WrittenHeights::coarseness(const Parameters& parameters) const
 {
-    return field && field->storedBits() > 8 ? parameters.depth * span / 255.f * float(field->width()) : 0.f;
+    return isFine ? parameters.depth * span / 255.f * float(field->width()) : 0.f;
 }
 
 WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters)
@@ -171,6 +171,7 @@ WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters
     if (!written.field)
         return written;
     written.field = written.field->withWrap(parameters.wrap);
+    written.isFine = written.field->storedBits() > 8;
     if (!job.cures.contains(Cure::FullRange))
         return written;
     const auto [low, high] = std::ranges::minmax(written.field->texels());

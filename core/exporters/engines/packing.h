@@ -11,12 +11,13 @@ namespace relievo {
 struct WrittenHeights {
     std::optional<HeightField> field;
     float low = 0.f, span = 1.f;
+    bool isFine = false; // came in more than 8 bits
 
     float midlevel(const Parameters& parameters) const
     {
         return (parameters.midlevel - low) / span;
     } // of the written heights; may leave [0, 1]
-    // One step of 8 bits in widths of a texel, where the heights have finer ones; else 0. Terraces show where it is not small.
+    // One step of 8 bits in widths of a texel, where the heights came in finer ones; else 0. Terraces show where it is not small.
     float coarseness(const Parameters& parameters) const;
 };
 WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters);

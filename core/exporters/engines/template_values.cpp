@@ -139,6 +139,22 @@ int lineAt(const std::string& text, std::ptrdiff_t at)
     return int(std::count(text.begin(), text.begin() + at, '\n'));
 }
 
+// A tag of a section that stands alone on its line takes the line's end with it, also where the section is left out.
+std::string withoutTagLines(const std::string& text)
+{
+    static const std::regex alone(R"((^|\n)[ \t]*(\{\{[#^/][^}]*\}\})[ \t]*(?=\n))");
+    std::string out;
+    std::size_t at = 0;
+    for (std::sregex_iterator found(text.begin(), text.end(), alone), end; found != end; ++found) {
+        const std::size_t tag = std::size_t(found->position(2)), before = std::size_t(found->position() + found->length(1));
+        if (before > at)
+            out.append(text, at, before - at);
+        out.append(text, tag, std::size_t(found->length(2)));
+        at = std::size_t(found->position() + found->length()) + 1;
+    }
+    return out + text.substr(std::min(at, text.size()));
+}
+
 // Names are looked up where a section is filled in; those of sections that are left out are looked at here.
 std::optional<std::pair<std::string, int>> unknownName(const std::string& text, const TemplateValues& values, const Words& more)
 {
@@ -199,15 +215,15 @@ Expected<std::string> filled(const std::string& text, const TemplateValues& valu
     if (const auto unknown = unknownName(text, values, more))
         return failure(at(unknown->second), "{{" + unknown->first + "}} is no value that there is",
             "The manual lists them under \"Targets of your own\"");
-    mustache::mustache renderer(text);
-    if (!renderer.is_valid()) {
-        const std::string& error = renderer.error_message();
+    if (const mustache::mustache asWritten(text); !asWritten.is_valid()) {
+        const std::string& error = asWritten.error_message();
         std::size_t position = 0;
         if (const std::size_t number = error.rfind(' '); number != std::string::npos)
             std::from_chars(error.data() + number + 1, error.data() + error.size(), position);
         return failure(
             at(lineAt(text, std::ptrdiff_t(std::min(position, text.size())))), lowered(error), "Close each {{#name}} by {{/name}}");
     }
+    mustache::mustache renderer(withoutTagLines(text));
     renderer.set_custom_escape(escaped);
     const mustache::data data = dataOf(values, more);
     StrictContext context(&data);
