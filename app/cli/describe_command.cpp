@@ -9,6 +9,7 @@
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -44,12 +45,46 @@ Table views()
     return table;
 }
 
+// "white is high, white on the surface".
+std::string heightOf(const EngineFacts& engine)
+{
+    if (engine.property.empty())
+        return "-";
+    char zero[32];
+    std::snprintf(zero, sizeof zero, "%g", double(engine.zero));
+    return std::string(wordOf(engine.channel)) + (engine.isDepth ? ", white is deep" : ", white is high")
+        + (engine.zeroIsFree ? ", any height on the mesh" : ", height " + std::string(zero) + " on the mesh");
+}
+
+// "100 x depth in tiles, 0.005 to 0.08".
+std::string numberOf(const EngineFacts& engine)
+{
+    if (engine.property.empty())
+        return "-";
+    char text[128];
+    std::snprintf(text, sizeof text, "%g x depth in %s", double(engine.factor), engine.of == DepthOf::Tile ? "tiles" : "m");
+    std::string number = text;
+    if (engine.min > 0.f || std::isfinite(engine.max)) {
+        std::snprintf(text, sizeof text, ", %g to %g", double(engine.min), double(engine.max));
+        number += text;
+    }
+    return number;
+}
+
 Table exports()
 {
     Table table;
-    for (const ExportRow& row : kExports)
-        table.push_back(
-            {{"key", row.key}, {"label", row.label}, {"suffix", row.suffix.empty() ? "folder" : row.suffix}, {"help", row.help}});
+    for (const ExportRow& row : kExports) {
+        const EngineFacts& engine = row.engine;
+        std::string files;
+        for (const std::string& name : namesInFolder(row))
+            files += (files.empty() ? "" : " ") + name;
+        table.push_back({{"key", row.key}, {"label", row.label}, {"suffix", row.suffix.empty() ? "folder" : row.suffix}, {"files", files},
+            {"version", engine.version.empty() ? "-" : engine.version}, {"height", heightOf(engine)},
+            {"property", engine.property.empty() ? "-" : engine.property}, {"value", numberOf(engine)},
+            {"draws", engine.technique.empty() ? "-" : engine.technique}, {"limits", engine.limits.empty() ? "-" : engine.limits},
+            {"help", row.help}});
+    }
     return table;
 }
 
@@ -114,6 +149,13 @@ struct DescribeOptions {
     bool json = false, markdown = false;
 };
 
+Table withFilesAsList(Table rows)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i]["files"] = namesInFolder(kExports[i]);
+    return rows;
+}
+
 void describe(const DescribeOptions& options)
 {
     Json all = Json::object();
@@ -121,7 +163,7 @@ void describe(const DescribeOptions& options)
         if (!options.table.empty() && options.table != table.key)
             continue;
         if (options.json)
-            all[std::string(table.key)] = table.rows();
+            all[std::string(table.key)] = table.key == "exports" ? withFilesAsList(table.rows()) : table.rows();
         else
             std::fputs((options.markdown ? markdown(table) : plain(table)).c_str(), stdout);
     }

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/exporters.h"
 #include "core/exporters/engines/engine_export.h"
+#include "core/exporters/engines/target_text.h"
 #include "core/scene/inputs.h"
 #include <algorithm>
 
@@ -22,6 +23,35 @@ Expected<Exported> ExportRow::run(const ExportJob& job) const
 std::vector<std::filesystem::path> ExportRow::writes(const ExportJob& job) const
 {
     return codeWrites ? codeWrites(job) : filesOfText(*this, job);
+}
+
+std::vector<std::string> namesInFolder(const ExportRow& row)
+{
+    std::vector<std::string> names;
+    if (!row.suffix.empty())
+        return names;
+    if (row.code) {
+        for (const MapKindRow& kind : kMapKinds)
+            names.push_back("NAME_" + std::string(kind.fileName) + ".png");
+        names.push_back("relief.json");
+        return names;
+    }
+    const auto named = [](std::string name, const std::string& tag, const std::string& word) {
+        if (const std::size_t at = name.find(tag); at != std::string::npos)
+            name.replace(at, tag.size(), word);
+        return name;
+    };
+    const TargetText& text = textOf(row);
+    for (const PackedTexture& texture : text.textures)
+        names.push_back(named(texture.file, "{{name}}", "NAME"));
+    for (const TargetFile& file : text.files)
+        if (!file.eachTexture)
+            names.push_back(named(file.name, "{{name}}", "NAME"));
+    for (const TargetFile& file : text.files)
+        for (const PackedTexture& texture : text.textures)
+            if (file.eachTexture)
+                names.push_back(named(file.name, "{{file}}", named(texture.file, "{{name}}", "NAME")));
+    return names;
 }
 
 Parameters parametersOf(const ExportJob& job)

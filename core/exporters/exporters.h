@@ -281,6 +281,9 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
 
 const ExportRow* findExport(std::string_view key); // nullptr when unknown
 
+// The names of the files that a folder holds, with NAME for the material's; none of targets that write a file of any name.
+std::vector<std::string> namesInFolder(const ExportRow& row);
+
 // What all targets are given where a State is exported: picture A, and what it shows.
 Parameters parametersOf(const ExportJob& job);
 std::string techniqueOf(const ExportJob& job); // key
