@@ -273,6 +273,13 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
             .of = DepthOf::Metres,
             .limits = "Displacement is drawn by renderers that divide meshes; real-time viewers leave it out."},
         .help = "Material (.usda) with UsdPreviewSurface: textures, displacement with scale and bias in metres."},
+    {.key = "glsl",
+        .label = "GLSL",
+        .engine = {.zeroIsFree = true,
+            .property = "reliefDepth",
+            .of = DepthOf::Metres,
+            .limits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's."},
+        .help = "This technique as complete shaders of GLSL 4.10 and ES 3.00 (WebGL2), with its textures; each uniform tells its value."},
     {.key = "packed",
         .label = "Packed textures",
         .help = "Base color, normal and height, and occlusion, roughness and metallic in one texture: what most engines and painting "

@@ -75,13 +75,14 @@ Assembly& Assembly::file(std::string_view name)
         return *this;
     }
     m_files.emplace_back(name);
-    lines(withoutComments(*text), m_files.size() - 1);
+    lines(m_forPeople ? *text : withoutComments(*text), m_files.size() - 1);
     return *this;
 }
 
 Assembly& Assembly::generated(std::string_view text)
 {
-    m_body += "#line 1 0\n";
+    if (!m_forPeople)
+        m_body += "#line 1 0\n";
     m_body += text;
     m_body += '\n';
     return *this;
@@ -91,13 +92,16 @@ Expected<ShaderText> Assembly::finish()
 {
     if (m_failed)
         return tl::unexpected(*m_failed);
-    return ShaderText{std::string(kHeaders[std::size_t(m_dialect)]) + uniformDeclarations(m_body) + m_body, m_files};
+    return ShaderText{
+        std::string(kHeaders[std::size_t(m_dialect)]) + uniformDeclarations(m_forPeople ? withoutComments(m_body) : m_body) + m_body,
+        m_files};
 }
 
 void Assembly::lines(const std::string& text, std::size_t index)
 {
     const std::string number = std::to_string(index);
-    m_body += "#line 1 " + number + '\n';
+    if (!m_forPeople)
+        m_body += "#line 1 " + number + '\n';
     std::size_t line = 1;
     for (std::size_t at = 0; at < text.size(); ++line) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -106,8 +110,9 @@ void Assembly::lines(const std::string& text, std::size_t index)
             const std::size_t open = content.find('"'), close = content.rfind('"');
             if (open < close && close != content.npos)
                 file(content.substr(open + 1, close - open - 1));
-            m_body += "#line " + std::to_string(line + 1) + ' ' + number + '\n';
-        } else {
+            if (!m_forPeople)
+                m_body += "#line " + std::to_string(line + 1) + ' ' + number + '\n';
+        } else if (!m_forPeople || !content.starts_with("// SPDX-")) { // stands once, at the head of what is exported
             m_body.append(content);
             m_body += '\n';
         }

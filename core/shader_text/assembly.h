@@ -10,7 +10,13 @@ namespace relievo {
 // Collects the parts of a stage; each file is included once. The first file that cannot be read makes finish() fail.
 class Assembly {
 public:
-    explicit Assembly(const ShaderReader& read, Dialect dialect = Dialect::Desktop) : m_read(read), m_dialect(dialect) { }
+    // forPeople: with comments, without #line.
+    explicit Assembly(const ShaderReader& read, Dialect dialect = Dialect::Desktop, bool forPeople = false)
+        : m_read(read)
+        , m_dialect(dialect)
+        , m_forPeople(forPeople)
+    {
+    }
 
     Assembly& file(std::string_view name);
     Assembly& generated(std::string_view text);
@@ -21,6 +27,7 @@ private:
 
     const ShaderReader& m_read;
     Dialect m_dialect;
+    bool m_forPeople;
     std::string m_body;
     std::vector<std::string> m_files = {"generated text"};
     std::optional<Error> m_failed;

@@ -62,11 +62,32 @@ void accelerationFiles(Assembly& part, const TechniqueRow& technique, std::strin
         part.file("bounds/bounds_scale.glsl").file(form == MapForm::Volume ? volume : filtered);
 }
 
+// Heights and acceleration maps of the finest level, interpolated by the text.
+void exactFiles(Assembly& part, const TechniqueRow& technique, Dialect dialect, std::string_view edges, std::string_view bend)
+{
+    part.file("heights/stored_exact.glsl");
+    if (technique.needsHeights())
+        part.file("heights/level_base.glsl")
+            .file(edges)
+            .file("heights/wrapped_texel.glsl")
+            .file(dialect == Dialect::Desktop ? "heights/heights_corners.glsl" : "heights/heights_corners_texels.glsl")
+            .file("heights/heights_exact.glsl")
+            .file(bend)
+            .file("search/height_on.glsl");
+    accelerationFiles(part, technique, "bounds/bounds_exact.glsl", "bounds/volume_exact.glsl");
+    part.file(technique.file);
+}
+
 // The technique and what it reads the maps by, for pictures.
 void searchFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& view, const ProgramFeatures& features)
 {
+    if (features.exported && features.dialect == Dialect::Es) {
+        part.file("heights/heights_none.glsl");
+        return exactFiles(part, technique, features.dialect, features.clamps ? "heights/edges_clamp.glsl" : "heights/edges_repeat.glsl",
+            "search/bend_none.glsl");
+    }
     const bool filtered = technique.needsHeights() && (!technique.isExact || features.coarser); // else no level is chosen by pixel
-    part.file(filtered ? "heights/heights_filtered.glsl" : "heights/heights_none.glsl");
+    part.file(!filtered ? "heights/heights_none.glsl" : features.exported ? "heights/heights_plain.glsl" : "heights/heights_filtered.glsl");
     if (technique.isExact || (view.isAgainstExact && !features.onMesh)) {
         if (!filtered)
             part.file("heights/level_base.glsl");
@@ -120,25 +141,28 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file("shadow/shadow_none.glsl");
         part.file(features.objectShadows ? "shadow/shadow_map.glsl" : "shadow/shadow_map_none.glsl");
         if (view->light == ViewLight::All) {
-            part.file("shading/environment.glsl");
+            part.file(features.exported ? "shading/ambient.glsl" : "shading/environment.glsl");
             variantFiles(part, features, ShaderPlace::Light);
         }
         part.file(features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
     };
-    Assembly draft(read);
+    Assembly draft(read, features.dialect);
     draft.file("view_ray/holes_cut.glsl");
     body(draft);
     const auto drafted = draft.finish();
     if (!drafted)
         return drafted;
 
-    Assembly part(read);
-    part.file("search/contract.glsl")
-        .file(features.curved ? "search/bend_quadric.glsl" : "search/bend_none.glsl")
-        .file("surface/surface.glsl");
+    Assembly part(read, features.dialect, features.exported);
+    if (features.exported)
+        part.generated(kTechniqueBegins);
+    part.file("search/contract.glsl").file(features.curved ? "search/bend_quadric.glsl" : "search/bend_none.glsl");
+    searchFiles(part, *technique, *view, features);
+    if (features.exported)
+        part.generated(kTechniqueEnds);
+    part.file("surface/surface.glsl");
     variantFiles(part, features, ShaderPlace::Surface);
     part.generated(mapFunctions(features.maps, drafted->text));
-    searchFiles(part, *technique, *view, features);
     viewRayFiles(part, *view, features);
     body(part);
     if (view->isHeat)
@@ -153,8 +177,11 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     return part.file("output/main.glsl").finish();
 }
 
-Expected<ShaderText> meshVertex(bool posed, bool curved, const ShaderReader& read)
+Expected<ShaderText> meshVertex(const ProgramFeatures& features, const ShaderReader& read)
 {
+    if (features.exported)
+        return Assembly(read, features.dialect, true).file("vertex/plain_vertex.glsl").finish();
+    const bool posed = features.posed, curved = features.curved && !features.prisms;
     return Assembly(read)
         .file(posed ? "vertex/place_posed.glsl" : "vertex/place_rest.glsl")
         .file(curved ? "vertex/curved_quadric.glsl" : "vertex/curved_none.glsl")
@@ -198,9 +225,23 @@ ProgramFeatures programFeatures(
     return features;
 }
 
+ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps, Dialect dialect)
+{
+    Parameters plain = parameters;
+    plain.silhouettes = Silhouettes::Off;
+    plain.objectShadows = false;
+    plain.heightMips = false;
+    plain.frames = Frames::Derivatives;
+    ProgramFeatures features = programFeatures(plain, technique, knownView("shaded"), maps, false);
+    features.exported = true;
+    features.dialect = dialect;
+    features.clamps = parameters.wrap == Wrap::Clamp;
+    return features;
+}
+
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read)
 {
-    return program(meshVertex(features.posed, features.curved && !features.prisms, read), meshFragment(features, read));
+    return program(meshVertex(features, read), meshFragment(features, read));
 }
 
 Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read)
@@ -222,7 +263,9 @@ Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const Shad
 
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)
 {
-    return program(meshVertex(posed, false, read), Assembly(read).file("output/wireframe.glsl").finish());
+    ProgramFeatures features;
+    features.posed = posed;
+    return program(meshVertex(features, read), Assembly(read).file("output/wireframe.glsl").finish());
 }
 
 namespace {
@@ -233,17 +276,8 @@ Expected<ProgramText> programForRays(std::string_view technique, const ShaderRea
     if (!row || row->file.empty())
         return failure(std::string(technique), "this technique does not run on the GPU", "Use --device cpu");
     Assembly fragment(read, dialect);
-    fragment.file("search/contract.glsl").file("heights/stored_exact.glsl");
-    if (row->needsHeights())
-        fragment.file("heights/level_base.glsl")
-            .file("heights/edges_either.glsl")
-            .file("heights/wrapped_texel.glsl")
-            .file(dialect == Dialect::Desktop ? "heights/heights_corners.glsl" : "heights/heights_corners_texels.glsl")
-            .file("heights/heights_exact.glsl")
-            .file(onPrisms ? "search/bend_quadric.glsl" : "search/bend_none.glsl")
-            .file("search/height_on.glsl");
-    accelerationFiles(fragment, *row, "bounds/bounds_exact.glsl", "bounds/volume_exact.glsl");
-    fragment.file(row->file);
+    fragment.file("search/contract.glsl");
+    exactFiles(fragment, *row, dialect, "heights/edges_either.glsl", onPrisms ? "search/bend_quadric.glsl" : "search/bend_none.glsl");
     if (onPrisms)
         fragment.file("view_ray/search_own.glsl")
             .file(dialect == Dialect::Desktop ? "view_ray/prism_texels_buffer.glsl" : "view_ray/prism_texels_image.glsl")

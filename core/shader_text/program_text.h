@@ -18,6 +18,9 @@ namespace relievo {
 struct TechniqueRow;
 struct ViewRow;
 
+// GLSL 4.10, or ES 3.00 as WebGL2 has it.
+enum class Dialect { Desktop, Es };
+
 // What a program is made of. Equal features give equal text: usable as a cache key.
 struct ProgramFeatures {
     std::string technique = "relief"; // key of kTechniques
@@ -34,6 +37,8 @@ struct ProgramFeatures {
     bool objectShadows = false; // the parameter, where light is computed
     bool onMesh = false; // the error view compares with the displaced mesh (ExactDistances)
     bool clamps = false; // an exact search ends at the tile's borders
+    bool exported = false; // for other programs to run: see exportedFeatures
+    Dialect dialect = Dialect::Desktop; // of what is exported
     std::array<std::uint8_t, kParameters.size()> variants = {}; // which of its shader files each parameter chooses (ParameterRow::shader)
     auto operator<=>(const ProgramFeatures&) const = default;
 
@@ -43,6 +48,13 @@ struct ProgramFeatures {
 // The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.
 ProgramFeatures programFeatures(
     const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear);
+
+// The same for a shader that others run: with a frame that needs no vertex attributes but position, normal and uv, light from the
+// surroundings by formula, no mip levels of the heights, and nothing that only this renderer can provide (bent rays, shadows between
+// objects). In ES heights are read texel by texel: WebGL2 does not filter them.
+ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps, Dialect dialect);
+// Stand before and after what the search needs, in a fragment shader that is exported.
+inline constexpr std::string_view kTechniqueBegins = "// >>> technique", kTechniqueEnds = "// <<< technique";
 
 struct ShaderText {
     std::string text;
@@ -62,8 +74,6 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
 Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read);
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
-// GLSL 4.10, or ES 3.00 as WebGL2 has it.
-enum class Dialect { Desktop, Es };
 // Runs the technique's search on rays in textures (`trace --device gl`).
 Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
 // The same on prisms of a mesh (shaders/view_ray/trace_prisms.glsl); the technique has to search.

@@ -14,7 +14,7 @@ std::vector<PackedChannel> allChannels()
 {
     std::vector<PackedChannel> all;
     const auto add = [&all](From from, MapKind kind, int channel, bool inverted, std::string word, std::string baked = {}) {
-        all.push_back({from, 0.f, kind, channel, inverted, std::move(baked), std::move(word)});
+        all.push_back({from, 0.f, kind, channel, inverted, std::move(baked), PackedChannel::Part::All, std::move(word)});
     };
     add(From::Height, MapKind::Height, 0, false, "height");
     add(From::Height, MapKind::Height, 0, true, "depth");
@@ -40,6 +40,13 @@ std::vector<PackedChannel> allChannels()
             add(From::Baked, MapKind::Height, c, false, row.channels > 1 ? key + '_' + kLetters[std::size_t(c)] : key,
                 std::string(row.key));
     }
+    const std::pair<const char*, PackedChannel::Part> parts[] = {
+        {"bound_", PackedChannel::Part::All}, {"bound_high_", PackedChannel::Part::HighByte}, {"bound_low_", PackedChannel::Part::LowByte}};
+    for (const auto& [word, part] : parts)
+        for (int c = 0; c < 4; ++c) {
+            add(From::Baked, MapKind::Height, c, false, word + std::string(1, kLetters[std::size_t(c)]), std::string(kOwnMap));
+            all.back().part = part;
+        }
     return all;
 }
 } // namespace

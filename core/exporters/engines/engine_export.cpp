@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/engines/engine_export.h"
+#include "core/exporters/engines/shader_words.h"
 #include "core/exporters/engines/template_values.h"
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
@@ -77,6 +78,9 @@ public:
 
     Expected<void> fillTexts()
     {
+        for (const TargetFile& file : m_target.files)
+            if (auto added = addShaders(m_values, file.text, m_job, m_heights, m_parameters); !added)
+                return added;
         for (const TargetFile& file : m_target.files) {
             if (!file.eachTexture)
                 if (auto done = fill(file, m_values, {}); !done)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/engines/packing.h"
 #include "core/exporters/map_images.h"
+#include "core/maps/acceleration/acceleration_map.h"
 #include "core/maps/maps.h"
 #include <cmath>
 #include <tbb/parallel_for.h>
@@ -17,6 +18,7 @@ struct Source {
     int channel = 0;
     float value = 0.f;
     bool inverted = false, linearColor = false, dithers = false;
+    PackedChannel::Part part = PackedChannel::Part::All;
 
     float at(int x, int y, int width, int height) const
     {
@@ -25,6 +27,10 @@ struct Source {
             v = image->value(x, y, channel);
         else if (image)
             v = sampled(*image, (float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height), channel);
+        if (part != PackedChannel::Part::All) {
+            const long code = std::lround(v * 65535.f);
+            v = float(part == PackedChannel::Part::HighByte ? code >> 8 : code & 255) / 255.f;
+        }
         if (linearColor)
             v = srgbOf(v);
         return inverted ? 1.f - v : v;
@@ -55,6 +61,8 @@ public:
         for (const PackedChannel& channel : m_texture.channels) {
             if (channel.kind == MapKind::Opacity && !m_material.map(MapKind::Opacity) && m_sources.size() == 3)
                 continue; // no alpha where nothing is transparent
+            if (channel.baked == kOwnMap && channel.channel >= channelsOfOwnMap())
+                continue;
             m_sources.push_back(sourceOf(channel));
             if (const Image* image = m_sources.back().image.get();
                 image && image->texelCount() > std::size_t(width) * std::size_t(height)) {
@@ -99,7 +107,8 @@ private:
             takeMap(channel, source);
             break;
         case From::Baked:
-            source.image = baked(channel.baked);
+            source.image = channel.baked == kOwnMap ? ownMap() : baked(channel.baked);
+            source.part = channel.part;
             break;
         }
         return source;
@@ -142,6 +151,18 @@ private:
         return map ? std::shared_ptr<const Image>(*map, &(*map)->levels.front()) : nullptr;
     }
 
+    int channelsOfOwnMap() const { return ownMap() ? ownMap()->channels : 0; }
+
+    // The technique's, as its search reads it; null when it has none.
+    std::shared_ptr<const Image> ownMap() const
+    {
+        const TechniqueRow* const technique = findTechnique(techniqueOf(m_job));
+        if (!m_ownMap && m_heights.field && technique && !technique->accelerationMap.empty())
+            if (const auto map = makeAccelerationMap(technique->accelerationMap, *m_heights.field, m_parameters, false, m_job.progress))
+                m_ownMap = std::shared_ptr<const Image>(*map, &(*map)->levels.front());
+        return m_ownMap;
+    }
+
     std::shared_ptr<const Image> fitted(const std::string& key, const Image& map, Averaging averaging)
     {
         std::shared_ptr<const Image>& kept = m_fitted[key];
@@ -156,6 +177,7 @@ private:
     const WrittenHeights& m_heights;
     const Parameters& m_parameters;
     std::vector<Source> m_sources;
+    mutable std::shared_ptr<const Image> m_ownMap;
     std::map<std::string, std::shared_ptr<const Image>> m_fitted;
 };
 } // namespace
@@ -181,7 +203,8 @@ WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters
     written.span = high - low;
     std::vector<float> stretched(written.field->texels().begin(), written.field->texels().end());
     for (float& h : stretched)
-        h = std::clamp((h - written.low) / written.span, 0.f, 1.f);
+        h = std::round(std::clamp((h - written.low) / written.span, 0.f, 1.f) * 65535.f)
+            / 65535.f; // as it is written: maps are baked of it
     written.field = HeightField(
         written.field->width(), written.field->height(), std::move(stretched), parameters.wrap, std::max(written.field->storedBits(), 16));
     return written;
@@ -195,8 +218,11 @@ bool isPresent(const PackedTexture& texture, const ExportJob& job)
         case From::Constant:
             return false;
         case From::Height:
-        case From::Baked:
             return material.height.has_value();
+        case From::Baked: {
+            const TechniqueRow* const technique = findTechnique(techniqueOf(job));
+            return material.height && (channel.baked != kOwnMap || (technique && !technique->accelerationMap.empty()));
+        }
         case From::Normal:
             return material.map(MapKind::Normal) || (material.height && job.cures.contains(Cure::Normals));
         case From::Map:
@@ -220,6 +246,8 @@ std::string contentOf(const PackedTexture& texture, const ExportJob& job, const 
         if (channel.from == From::Height || channel.from == From::Baked)
             content += " of " + std::to_string(heights.low) + ' ' + std::to_string(heights.span) + ' '
                 + std::to_string(job.cures.contains(Cure::Dither));
+        if (channel.baked == kOwnMap)
+            content += ' ' + techniqueOf(job);
         if (channel.from == From::Baked || channel.from == From::Normal)
             content += " at " + std::to_string(parameters.depth) + ' ' + std::to_string(job.cures.contains(Cure::Normals));
     }

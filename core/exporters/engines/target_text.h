@@ -9,6 +9,8 @@
 
 namespace relievo {
 
+inline constexpr std::string_view kOwnMap = "*";
+
 // One channel of a written texture.
 struct PackedChannel {
     enum class From { Constant, Height, Map, Normal, Baked } from = From::Constant;
@@ -16,7 +18,8 @@ struct PackedChannel {
     MapKind kind = MapKind::Height; // of a map
     int channel = 0; // of the map, of the normal (x y z), or of the baked map
     bool inverted = false; // 1 - value
-    std::string baked = {}; // key of kBakedMaps
+    std::string baked = {}; // key of kBakedMaps; kOwnMap: of the technique that is exported, in as many channels as it has
+    enum class Part { All, HighByte, LowByte } part = Part::All; // of a code of 16 bits
     std::string word; // as the file says it: "roughness", "normal_y_directx", "cone_relaxed_g", "1.0"
 };
 struct PackedTexture {
