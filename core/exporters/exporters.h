@@ -148,6 +148,15 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
                       "mapping."},
         .help = "StandardMaterial3D (.tres) with its textures and their .import files: the height lossless and without mipmaps, which "
                 "spoil the march."},
+    {.key = "godot4-shader",
+        .label = "Godot 4, this technique",
+        .engine = {.version = "4.6, run",
+            .zeroIsFree = true,
+            .property = "relief_depth",
+            .of = DepthOf::Metres,
+            .limits = "Heights are read at the finest level, so that far away the relief may shimmer."},
+        .help = "Spatial shader (.gdshader) with the search that is chosen here, self-shadows and depth, and the ShaderMaterial (.tres) "
+                "that fills it."},
     {.key = "godot3",
         .label = "Godot 3",
         .engine = {.version = "3.2.3, run",

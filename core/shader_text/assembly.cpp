@@ -88,6 +88,13 @@ Assembly& Assembly::generated(std::string_view text)
     return *this;
 }
 
+Expected<std::string> Assembly::body() const
+{
+    if (m_failed)
+        return tl::unexpected(*m_failed);
+    return m_body;
+}
+
 Expected<ShaderText> Assembly::finish()
 {
     if (m_failed)

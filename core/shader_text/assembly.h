@@ -20,6 +20,7 @@ public:
 
     Assembly& file(std::string_view name);
     Assembly& generated(std::string_view text);
+    Expected<std::string> body() const; // the parts alone
     Expected<ShaderText> finish(); // with the declarations that the parts need before them
 
 private:

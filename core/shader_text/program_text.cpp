@@ -51,13 +51,14 @@ void variantFiles(Assembly& part, const ProgramFeatures& features, ShaderPlace p
 }
 
 // What the technique reads its acceleration map by.
-void accelerationFiles(Assembly& part, const TechniqueRow& technique, std::string_view filtered, std::string_view volume)
+void accelerationFiles(Assembly& part, const TechniqueRow& technique, std::string_view filtered, std::string_view volume,
+    std::string_view codes = "bounds/codes_texels.glsl")
 {
     if (technique.accelerationMap.empty())
         return;
     const MapForm form = findBakedMap(technique.accelerationMap)->form;
     if (form == MapForm::Pyramid || form == MapForm::Codes)
-        part.file("bounds/bounds_texels.glsl");
+        part.file(form == MapForm::Pyramid ? "bounds/node_texels.glsl" : codes);
     else
         part.file("bounds/bounds_scale.glsl").file(form == MapForm::Volume ? volume : filtered);
 }
@@ -242,6 +243,25 @@ ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRo
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read)
 {
     return program(meshVertex(features, read), meshFragment(features, read));
+}
+
+Expected<std::string> searchForGodot(const TechniqueRow& technique, bool clamps, const ShaderReader& read)
+{
+    const bool isVolume = !technique.accelerationMap.empty() && findBakedMap(technique.accelerationMap)->form == MapForm::Volume;
+    if (technique.file.empty() || isVolume)
+        return failure(std::string(technique.key), "this technique cannot run in Godot: it has no shader, or reads a volume",
+            "Choose another one, such as cell-cone");
+    Assembly part(read, Dialect::Desktop, true);
+    part.file("search/contract.glsl").file("search/bend_none.glsl");
+    if (technique.isExact)
+        part.file("heights/level_base.glsl")
+            .file(clamps ? "heights/edges_clamp.glsl" : "heights/edges_repeat.glsl")
+            .file("heights/wrapped_texel.glsl")
+            .file("heights/corners_planes.glsl");
+    else if (technique.needsHeights())
+        part.file("heights/heights_plain.glsl").file("search/height_on.glsl");
+    accelerationFiles(part, technique, "bounds/bounds_filtered.glsl", "", "bounds/codes_planes.glsl");
+    return part.file(technique.file).body();
 }
 
 Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read)

@@ -56,6 +56,13 @@ ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRo
 // Stand before and after what the search needs, in a fragment shader that is exported.
 inline constexpr std::string_view kTechniqueBegins = "// >>> technique", kTechniqueEnds = "// <<< technique";
 
+// Reads a shader file by its name under shaders/.
+using ShaderReader = std::function<Expected<std::string>(std::string_view name)>;
+
+// `trace` and what it needs, undeclared textures and parameters left to the caller: exact searches read heights and codes from pictures
+// of 8 bits (heights/corners_planes.glsl), others filter. Errors: techniques without shader, or with a volume.
+Expected<std::string> searchForGodot(const TechniqueRow& technique, bool clamps, const ShaderReader& read);
+
 struct ShaderText {
     std::string text;
     std::vector<std::string> files; // file i of "#line n i"; file 0 is generated text
@@ -65,8 +72,6 @@ struct ProgramText {
     ShaderText vertex, fragment;
 };
 
-// Reads a shader file by its name under shaders/.
-using ShaderReader = std::function<Expected<std::string>(std::string_view name)>;
 ShaderReader embeddedReader();
 ShaderReader folderReader(const std::filesystem::path& folder); // falls back to the embedded text of a file that is not there
 

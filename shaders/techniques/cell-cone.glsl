@@ -53,7 +53,7 @@ Hit trace(Ray ray)
             }
             float rise = 1.0f + bendRise(1.0f - z); // of the heights against the ray
             vec4 above = (z - scale.x + bendFrom(1.0f - z).x) - vec4(codes >> 8) * capUnit;
-            vec4 steep = vec4(codes & 255);
+            vec4 steep = vec4(codes & ivec4(255));
             vec4 cone = above / (rise + steep * steep * steepUnit);
             vec2 toWall = (ahead - walk.p) * inverse;
             vec2 toBorder = (border - walk.cell - walk.p) * inverse;

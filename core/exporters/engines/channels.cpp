@@ -18,6 +18,10 @@ std::vector<PackedChannel> allChannels()
     };
     add(From::Height, MapKind::Height, 0, false, "height");
     add(From::Height, MapKind::Height, 0, true, "depth");
+    add(From::Height, MapKind::Height, 0, false, "height_high_byte");
+    all.back().part = PackedChannel::Part::HighByte;
+    add(From::Height, MapKind::Height, 0, false, "height_low_byte");
+    all.back().part = PackedChannel::Part::LowByte;
     for (int axis = 0; axis < 3; ++axis)
         add(From::Normal, MapKind::Normal, axis, false, std::string("normal_") + "xyz"[axis]);
     add(From::Normal, MapKind::Normal, 1, true, "normal_y_directx");
@@ -54,6 +58,11 @@ std::vector<PackedChannel> allChannels()
 bool PackedTexture::holdsHeight() const
 {
     return std::ranges::any_of(channels, [](const PackedChannel& c) { return c.from == From::Height; });
+}
+
+bool PackedTexture::holdsData() const
+{
+    return holdsHeight() || std::ranges::any_of(channels, [](const PackedChannel& c) { return c.from == From::Baked; });
 }
 
 std::optional<PackedChannel> channelOf(const std::string& word)

@@ -60,7 +60,7 @@ public:
             if (m_values.words.contains(texture.key) || m_values.switches.contains(texture.key))
                 return failure(m_target.where + ": " + texture.key, "a texture cannot be called like a value", "Give it another key");
             Words& words = m_values.textures[texture.key];
-            if (!isPresent(texture, m_job) || (texture.onlyWhenCoarse && m_heights.coarseness(m_parameters) <= kTerraces))
+            if (!isPresent(texture, m_job) || !isWanted(texture))
                 continue;
             const Expected<std::string> name = filled(texture.file, onlyWords(), {}, m_target.where + ": textures", 0);
             if (!name)
@@ -125,11 +125,31 @@ public:
     }
 
 private:
+    bool isWanted(const PackedTexture& texture) const
+    {
+        const TechniqueRow* const technique = findTechnique(techniqueOf(m_job));
+        const bool isExact = technique && technique->isExact;
+        switch (texture.when) {
+        case PackedTexture::When::Always:
+            return true;
+        case PackedTexture::When::EightBitsShow:
+            return m_heights.coarseness(m_parameters) > kTerraces;
+        case PackedTexture::When::ExactSearch:
+            return isExact;
+        case PackedTexture::When::FilteredSearch:
+            return !isExact && technique && technique->needsHeights();
+        case PackedTexture::When::NoCodes:
+            return !ownMapHoldsCodes(m_job);
+        }
+        return true;
+    }
+
     TemplateValues onlyWords() const { return {m_values.words, m_values.switches, {}}; }
 
     TemplateValues valuesFor(const PackedTexture& texture) const
     {
         TemplateValues values = m_values;
+        values.switches["isData"] = texture.holdsData();
         values.switches["isHeight"] = texture.holdsHeight();
         values.switches["isNormal"]
             = std::ranges::any_of(texture.channels, [](const PackedChannel& c) { return c.from == PackedChannel::From::Normal; });
@@ -245,11 +265,14 @@ private:
 
     void tellBits(Warnings& told) const
     {
-        const bool eightAlone
-            = std::ranges::none_of(m_textures, [](const TextureFile& t) { return t.texture->holdsHeight() && t.texture->bits > 8; });
-        const float coarseness = m_heights.coarseness(m_parameters);
-        if (!eightAlone || coarseness <= 0.f
-            || std::ranges::none_of(m_textures, [](const TextureFile& t) { return t.texture->holdsHeight(); }))
+        const auto isCoarse = [](const TextureFile& file) {
+            return std::ranges::any_of(file.texture->channels, [&](const PackedChannel& c) {
+                return c.from == PackedChannel::From::Height && c.part == PackedChannel::Part::All && file.texture->bits == 8;
+            });
+        };
+        const auto isFine = [&](const TextureFile& file) { return file.texture->holdsHeight() && !isCoarse(file); };
+        if (m_heights.coarseness(m_parameters) <= 0.f || std::ranges::none_of(m_textures, isCoarse)
+            || std::ranges::any_of(m_textures, isFine))
             return;
         char text[300];
         std::snprintf(text, sizeof text, "The height is written in 8 bits, %s: a step is %.3g mm.",

@@ -89,6 +89,7 @@ private:
     Source sourceOf(const PackedChannel& channel)
     {
         Source source{nullptr, channel.channel, channel.value, channel.inverted};
+        source.part = channel.part;
         switch (channel.from) {
         case From::Constant:
             break;
@@ -108,7 +109,6 @@ private:
             break;
         case From::Baked:
             source.image = channel.baked == kOwnMap ? ownMap() : baked(channel.baked);
-            source.part = channel.part;
             break;
         }
         return source;
@@ -210,6 +210,19 @@ WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters
     return written;
 }
 
+namespace {
+bool hasOwnMap(const ExportJob& job)
+{
+    const TechniqueRow* const technique = findTechnique(techniqueOf(job));
+    return technique && !technique->accelerationMap.empty();
+}
+} // namespace
+
+bool ownMapHoldsCodes(const ExportJob& job)
+{
+    return hasOwnMap(job) && findBakedMap(findTechnique(techniqueOf(job))->accelerationMap)->form == MapForm::Codes;
+}
+
 bool isPresent(const PackedTexture& texture, const ExportJob& job)
 {
     const Material& material = *job.resources.material;
@@ -219,10 +232,9 @@ bool isPresent(const PackedTexture& texture, const ExportJob& job)
             return false;
         case From::Height:
             return material.height.has_value();
-        case From::Baked: {
-            const TechniqueRow* const technique = findTechnique(techniqueOf(job));
-            return material.height && (channel.baked != kOwnMap || (technique && !technique->accelerationMap.empty()));
-        }
+        case From::Baked:
+            return material.height && (channel.baked != kOwnMap || hasOwnMap(job))
+                && (channel.part == PackedChannel::Part::All || ownMapHoldsCodes(job));
         case From::Normal:
             return material.map(MapKind::Normal) || (material.height && job.cures.contains(Cure::Normals));
         case From::Map:

@@ -22,6 +22,9 @@ struct WrittenHeights {
 };
 WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters);
 
+// Whether the technique that is exported searches a map of codes.
+bool ownMapHoldsCodes(const ExportJob& job);
+
 // Whether one of the channels comes from a map that the material has (normals: also where they can be made).
 bool isPresent(const PackedTexture& texture, const ExportJob& job);
 

@@ -108,12 +108,52 @@ Expected<void> addProgram(Words& words, Dialect dialect, const Source& source)
     words["fragment" + name] = withUniformsTold(program->fragment.text, source, *scale);
     return {};
 }
+// A parameter as Godot declares it, with this State's value as default.
+std::string godotUniform(const ParameterRow& row, const Parameters& parameters)
+{
+    const Value value = get(parameters, row);
+    const std::string name = " " + std::string(row.key), is = " = " + toText(row, value) + ";\n";
+    if (std::holds_alternative<bool>(value))
+        return "uniform bool" + name + is;
+    std::ostringstream range;
+    range << " : hint_range(" << row.min << ", " << row.max << ")";
+    return (std::holds_alternative<int>(value) ? "uniform int" : "uniform float") + name + range.str() + is;
+}
+
+// What `trace` needs as Godot's shading language has it: no global variables, no arrays of uniforms.
+Expected<void> addGodot(Words& words, const Source& source)
+{
+    Expected<std::string> text = searchForGodot(source.technique, source.parameters.wrap == Wrap::Clamp, embeddedReader());
+    const Expected<glm::vec4> scale = boundScaleOf(source);
+    if (!text || !scale)
+        return tl::unexpected(!text ? text.error() : scale.error());
+    std::ostringstream constant;
+    constant.precision(9);
+    constant << std::showpoint << "vec4(" << scale->x << ", " << scale->y << ", " << scale->z << ", " << scale->w << ")";
+    std::string out = std::regex_replace(*text, std::regex(R"(boundScales\[searchLevel\(\)\])"), constant.str());
+    out = std::regex_replace(out, std::regex(R"(\n[^\n]*gaveUp = [^\n]*)"), "");
+    const std::string bare = withoutComments(out);
+    const std::string options = source.parameters.wrap == Wrap::Clamp ? "repeat_disable" : "repeat_enable";
+    std::string uniforms;
+    for (const char* map : {"heightMap", "boundMap"})
+        if (mentionsIdentifier(bare, map))
+            uniforms += std::string("uniform sampler2D ") + map + " : filter_linear, " + options + ";\n";
+    for (const char* map : {"boundHighMap", "boundLowMap"})
+        if (mentionsIdentifier(bare, map))
+            uniforms += std::string("uniform sampler2D ") + map + " : filter_nearest, " + options + ";\n";
+    for (const ParameterRow& row : kParameters)
+        if (row.group == Group::Search && mentionsIdentifier(bare, row.key))
+            uniforms += godotUniform(row, source.parameters);
+    words["searchGodot"] = uniforms + out;
+    return {};
+}
 } // namespace
 
 Expected<void> addShaders(
     TemplateValues& values, const std::string& text, const ExportJob& job, const WrittenHeights& heights, const Parameters& parameters)
 {
-    if (text.find("410}}") == text.npos && text.find("Es300}}") == text.npos)
+    const auto mentions = [&text](const char* word) { return text.find(word) != text.npos; };
+    if (!mentions("410}}") && !mentions("Es300}}") && !mentions("{{{searchGodot}}}"))
         return {};
     const TechniqueRow* technique = findTechnique(techniqueOf(job));
     if (!technique || technique->file.empty())
@@ -123,10 +163,10 @@ Expected<void> addShaders(
             "Open one, or choose bump");
     const Source source{job, heights, parameters, *technique};
     for (const Dialect dialect : {Dialect::Desktop, Dialect::Es})
-        if (text.find(dialect == Dialect::Es ? "Es300}}" : "410}}") != text.npos)
+        if (mentions(dialect == Dialect::Es ? "Es300}}" : "410}}"))
             if (auto added = addProgram(values.words, dialect, source); !added)
                 return added;
-    return {};
+    return mentions("{{{searchGodot}}}") ? addGodot(values.words, source) : Expected<void>();
 }
 
 } // namespace relievo

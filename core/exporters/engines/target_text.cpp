@@ -18,6 +18,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr std::size_t kLongest = std::size_t(1) << 20; // bytes of a target's file
 constexpr std::string_view kSection = "=== ", kEach = " each texture";
+constexpr std::string_view kWhens[] = {"always", "8 bits show", "exact search", "filtered search", "no codes"}; // by When
 constexpr std::string_view kFormats[] = {".png", ".tif", ".tga", ".jpg", ".exr"};
 
 class Reader {
@@ -79,8 +80,8 @@ private:
 
     Expected<void> readTexture(const Json& json, const std::string& at)
     {
-        if (auto known = checkNames(json, at, {"key", "file", "channels", "bits", "srgb", "when"}); !known)
-            return known;
+        if (auto named = checkNames(json, at, {"key", "file", "channels", "bits", "srgb", "when"}); !named)
+            return named;
         PackedTexture texture;
         texture.key = json.value("key", "");
         if (texture.key.empty() || texture.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
@@ -102,10 +103,11 @@ private:
         if (texture.bits != 8 && texture.bits != 16 && texture.bits != 32)
             return wrong(at + ".bits", "must be 8, 16 or 32");
         texture.srgb = json.value("srgb", false);
-        const std::string when = json.value("when", "");
-        if (!when.empty() && when != "8 bits show")
-            return wrong(at + ".when", "can only be \"8 bits show\"");
-        texture.onlyWhenCoarse = !when.empty();
+        const std::string when = json.value("when", std::string(kWhens[0]));
+        const auto known = std::ranges::find(kWhens, when);
+        if (known == std::end(kWhens))
+            return wrong(at + ".when", "can only be \"8 bits show\", \"exact search\", \"filtered search\" or \"no codes\"");
+        texture.when = PackedTexture::When(known - std::begin(kWhens));
         m_target.textures.push_back(std::move(texture));
         return {};
     }

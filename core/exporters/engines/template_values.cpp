@@ -60,6 +60,7 @@ void addDepths(Words& words, const EngineDepth& depth, float midlevel, const Par
     const double bias = -double(midlevel) * double(depth.metres); // rounded once: 0.0225, not 0.022499999
     words["biasMetres"] = decimal(float(bias));
     words["biasCentimetres"] = decimal(float(bias * 100.));
+    words["pushOutMetres"] = decimal(float((1. - double(midlevel)) * double(depth.metres)));
     words["metresPerUV"] = decimal(unit);
     words["perMetre"] = decimal(1.f / unit); // UV units along a metre
     words["tileMetres"] = decimal(unit / parameters.tiling);
@@ -94,6 +95,7 @@ void addShading(Words& words, const Parameters& p, const Material& material)
     words["roughness"] = decimal(p.roughness);
     words["smoothness"] = decimal(1.f - p.roughness);
     words["metallic"] = decimal(material.map(MapKind::Metallic) ? p.metallic : 0.f);
+    words["shadowBias"] = decimal(p.shadowBias);
     words["aoStrength"] = decimal(p.aoStrength);
     words["emission"] = decimal(p.emission);
 }
@@ -204,6 +206,7 @@ TemplateValues valuesOf(const ExportRow& row, const ExportJob& job, const Writte
     values.switches["repeat"] = parameters.wrap == Wrap::Repeat;
     const TechniqueRow* const technique = findTechnique(words["technique"]);
     values.switches["searches"] = technique && technique->searches;
+    values.switches["selfShadow"] = parameters.shadows && technique && technique->searches;
     values.switches["opacityMap"] = job.resources.material->map(MapKind::Opacity) != nullptr;
     values.switches["emissive"] = job.resources.material->map(MapKind::Emission) && parameters.emission > 0.f;
     return values;
