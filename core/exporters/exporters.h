@@ -154,6 +154,7 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
             .zeroIsFree = true,
             .property = "relief_depth",
             .of = DepthOf::Metres,
+            .bits = 32,
             .limits = "Heights are read at the finest level, so that far away the relief may shimmer."},
         .help = "Spatial shader (.gdshader) with the search that is chosen here, self-shadows and depth, and the ShaderMaterial (.tres) "
                 "that fills it."},

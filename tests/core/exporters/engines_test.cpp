@@ -352,3 +352,27 @@ TEST_F(Engines, CancellingLeavesNothing)
     EXPECT_TRUE(isCancelled(exported.error()));
     EXPECT_FALSE(fs::exists(m_folder / "s"));
 }
+
+TEST_F(Engines, TheManualsExampleWorksAndItsListOfValuesIsWhole)
+{
+    const std::string manual = textOfFile(fs::path(RELIEVO_SOURCE) / "resources/help/targets.md");
+    const std::size_t from = manual.find("```\n") + 4;
+    ASSERT_GT(from, 4u);
+    make(0.f, 1.f, true);
+    m_state.name = "m";
+    const auto row = own("my_engine.tpl", manual.substr(from, manual.find("```\n", from) - from));
+    ASSERT_TRUE(row) << message(row.error());
+    const Expected<Exported> exported = (*row)->run(job(m_folder / "out"));
+    ASSERT_TRUE(exported) << message(exported.error());
+    EXPECT_EQ(textOfFile(m_folder / "out/m.txt"), "name = \"m\"\nrelief_cm = 4.0\ncolor = \"m_color.png\"\npacked = \"m_packed.png\"\n");
+    EXPECT_EQ(textOfFile(m_folder / "out/m_packed.png.info"), "not compressed\n");
+
+    const std::string values = manual.substr(manual.find("Values:"));
+    const ExportJob whole = job(m_folder);
+    const TemplateValues named = valuesOf(**row, whole, writtenHeights(whole, parametersOf(whole)), parametersOf(whole));
+    const auto listed = [&](const std::string& name) { return std::regex_search(values, std::regex("[` ]" + name + "[` ]")); };
+    for (const auto& [name, word] : named.words)
+        EXPECT_TRUE(listed(name)) << name;
+    for (const auto& [name, on] : named.switches)
+        EXPECT_TRUE(listed(name)) << name;
+}
