@@ -171,11 +171,12 @@ Expected<std::shared_ptr<const Image>> mapOf(
     const Image& image = decoded->image;
     if (kind == MapKind::Normal && image.channels == 1)
         return failure(file, "it has one channel, so it cannot be a normal map", "Assign it as the height map instead");
-    if (row(kind).channels == 1)
-        return std::make_shared<const Image>(scalarOf(image, slot, file, warnings));
-    const bool asIs = image.channels == 3 && slot.channel == Channel::Rgb && !slot.invert && image.type != PixelType::F32;
+    const bool asIs = image.channels == row(kind).channels && !slot.invert && image.type != PixelType::F32
+        && (image.channels == 1 || slot.channel == Channel::Rgb);
     if (asIs && (kind != MapKind::Normal || normalLayout(image, namedRelief) == NormalLayout::Xyz))
         return std::shared_ptr<const Image>(decoded, &decoded->image);
+    if (row(kind).channels == 1)
+        return std::make_shared<const Image>(scalarOf(image, slot, file, warnings));
     Image result = kind == MapKind::Normal ? normalOf(image, slot, namedRelief) : colorOf(image, slot.channel);
     if (image.type == PixelType::F32)
         repairFloats(result, file, warnings);
