@@ -33,12 +33,23 @@ std::string helperPath()
     return (self.parent_path() / "relievo-imageio").string();
 }
 
+// What the variable holds already, and one thing more.
+std::string withOption(const char* variable, const std::string& more)
+{
+    const char* set = std::getenv(variable);
+    return set && *set ? std::string(set) + ":" + more : more;
+}
+
 // AddressSanitizer builds cannot be limited by address space: they watch their resident memory themselves.
 std::string sanitizerOptions()
 {
-    const char* set = std::getenv("ASAN_OPTIONS");
-    const std::string limits = "hard_rss_limit_mb=" + std::to_string(imageio::kMemoryLimitMiB) + ":detect_leaks=0";
-    return set && *set ? std::string(set) + ":" + limits : limits;
+    return withOption("ASAN_OPTIONS", "hard_rss_limit_mb=" + std::to_string(imageio::kMemoryLimitMiB) + ":detect_leaks=0");
+}
+
+// As core/ground/large_pages.cpp for this program, but for the C libraries that decode.
+std::string largePages()
+{
+    return withOption("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1");
 }
 
 void closeHandle(int& handle)
@@ -125,7 +136,8 @@ bool HelperProcess::ensureRunning(bool& fresh, HelperProcess* twin)
     try {
         const auto start = [&](auto&&... more) {
             return bp::child(bp::exe = helperPath(), fd.bind(STDIN_FILENO, own->in), fd.bind(STDOUT_FILENO, own->out),
-                bp::std_err > bp::null, bp::env["ASAN_OPTIONS"] = sanitizerOptions(), more..., code);
+                bp::std_err > bp::null, bp::env["ASAN_OPTIONS"] = sanitizerOptions(), bp::env["GLIBC_TUNABLES"] = largePages(), more...,
+                code);
         };
         m_process = std::make_unique<Process>();
         m_process->child = others
