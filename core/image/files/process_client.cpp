@@ -129,6 +129,8 @@ bool HelperProcess::ensureRunning(bool& fresh, HelperProcess* twin)
     if (!fresh)
         return true;
     kill();
+    if (twin)
+        twin->kill();
     std::optional<Ends> own = connect(), others = own && twin ? twin->connect() : std::nullopt;
     if (!own)
         return fail(HelperTrouble::NotFound);
@@ -151,6 +153,8 @@ bool HelperProcess::ensureRunning(bool& fresh, HelperProcess* twin)
             closeHandle((*ends)->in);
             closeHandle((*ends)->out);
         }
+    if (code && twin)
+        twin->kill();
     return code ? fail(HelperTrouble::NotFound) : true;
 }
 

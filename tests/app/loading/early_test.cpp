@@ -112,8 +112,9 @@ TEST(MapsToCome, EachKindHasAStandIn)
     EXPECT_EQ(whole->slots, material.slots);
     EXPECT_EQ(whole->height->identity(), material.height->identity());
     for (const MapKindRow& row : kMapKinds)
-        if (row.kind != MapKind::Height)
+        if (row.kind != MapKind::Height) {
             EXPECT_EQ(whole->map(row.kind)->channels, row.channels) << row.key;
+        }
     EXPECT_FLOAT_EQ(whole->map(MapKind::Color)->value(0, 0, 2), kColorWithoutMap);
     EXPECT_EQ(whole->map(MapKind::Metallic)->value(0, 0, 0), 0.f);
     EXPECT_EQ(whole->map(MapKind::Roughness)->value(0, 0, 0), 1.f);

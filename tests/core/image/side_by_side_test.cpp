@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 #include <sstream>
+#include <sys/wait.h>
 #include <thread>
 
 using namespace relievo;
@@ -29,21 +30,18 @@ std::vector<int> children()
     return {std::istream_iterator<int>(list), {}};
 }
 
-// Height, colour, normals and roughness of one material.
-void writeSet(const TemporaryFolder& folder)
+void endHelpers()
 {
-    ASSERT_TRUE(writeImage(folder / "rock_height.png", hillHeights(64, PixelType::U16)));
-    ASSERT_TRUE(writeImage(folder / "rock_normal.png", hillNormals(64, true)));
-    ASSERT_TRUE(writeImage(folder / "rock_color.png", noiseImage(64, 64, 3, PixelType::U8)));
-    ASSERT_TRUE(writeImage(folder / "rock_roughness.png", noiseImage(64, 64, 1, PixelType::U8)));
+    for (const int id : children()) {
+        ::kill(id, SIGKILL);
+        siginfo_t end;
+        ::waitid(P_PID, id_t(id), &end, WEXITED | WNOWAIT);
+    }
 }
-} // namespace
 
-// The first helper stands still: a second one answers.
-TEST(SideBySide, TwoRequestsAreAnsweredAtOnce)
+// Two requests, of which one is answered while the first helper stands still, and the other when it goes on.
+void readBeside(const TemporaryFolder& folder)
 {
-    const Threads two(2);
-    const TemporaryFolder folder;
     ASSERT_TRUE(writeImage(folder / "x.png", noiseImage(8, 8, 1, PixelType::U8)));
     const int first = imageHelperId();
     ASSERT_EQ(::kill(first, SIGSTOP), 0);
@@ -60,6 +58,41 @@ TEST(SideBySide, TwoRequestsAreAnsweredAtOnce)
     EXPECT_EQ(imageHelperId(), first);
 }
 
+// Height, colour, normals and roughness of one material.
+void writeSet(const TemporaryFolder& folder)
+{
+    ASSERT_TRUE(writeImage(folder / "rock_height.png", hillHeights(64, PixelType::U16)));
+    ASSERT_TRUE(writeImage(folder / "rock_normal.png", hillNormals(64, true)));
+    ASSERT_TRUE(writeImage(folder / "rock_color.png", noiseImage(64, 64, 3, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "rock_roughness.png", noiseImage(64, 64, 1, PixelType::U8)));
+}
+} // namespace
+
+// The first helper stands still: a second one answers.
+TEST(SideBySide, TwoRequestsAreAnsweredAtOnce)
+{
+    const Threads two(2);
+    const TemporaryFolder folder;
+    readBeside(folder);
+}
+
+#ifndef __SANITIZE_ADDRESS__ // there each is started by itself
+TEST(SideBySide, BothHelpersComeOfOneStart)
+{
+    const Threads two(2);
+    const TemporaryFolder folder;
+    const char* set = std::getenv("RELIEVO_IMAGEIO");
+    const std::string helper = set ? set : RELIEVO_BIN "/relievo-imageio";
+    writeAll(folder / "helper", "#!/bin/sh\necho >> \"$0.runs\"\nexec \"" + helper + "\" \"$@\"\n");
+    std::filesystem::permissions(folder / "helper", std::filesystem::perms::owner_all);
+    ::setenv("RELIEVO_IMAGEIO", (folder / "helper").c_str(), 1);
+    endHelpers();
+    readBeside(folder);
+    ::setenv("RELIEVO_IMAGEIO", helper.c_str(), 1);
+    EXPECT_EQ(readAll(folder / "helper.runs"), "\n");
+}
+#endif
+
 TEST(SideBySide, ThereAreNoMoreHelpersThanThreads)
 {
     EXPECT_EQ((Threads(1), imageHelperCount()), 1u);
@@ -73,8 +106,7 @@ TEST(SideBySide, HelpersThatDieAreReplaced)
     const TemporaryFolder folder;
     ASSERT_TRUE(writeImage(folder / "x.png", noiseImage(8, 8, 1, PixelType::U8)));
     for (int round = 0; round < 3; ++round) {
-        for (const int id : children())
-            ::kill(id, SIGKILL);
+        endHelpers();
         std::atomic<int> good = 0;
         std::vector<std::jthread> threads;
         for (int i = 0; i < 4; ++i)
