@@ -79,12 +79,13 @@ int main(int argc, char** argv)
     std::vector<double> first, whole, full;
     for (int run = 0; run < 5; ++run) {
         window.assets().openDocument("sample:bricks@16", startingScene());
-        if (!workUntil([&] { return window.assets().ready() && !window.assets().background().busy() && window.viewport().isSettled(); })) {
+        if (!workUntil([&] { return window.assets().ready() && !window.assets().background().busy() && window.viewport().isFull(); })) {
             std::fprintf(stderr, "the window shows no picture\n");
             return 1;
         }
         const Times times = open(window, arguments.value(1));
         std::printf("first picture %.0f ms, all maps %.0f ms, full resolution %.0f ms\n", times.first, times.whole, times.full);
+        std::fflush(stdout);
         first.push_back(times.first), whole.push_back(times.whole), full.push_back(times.full);
     }
     std::printf("median: first picture %.0f ms, all maps %.0f ms, full resolution %.0f ms\n", median(first), median(whole), median(full));
