@@ -8,6 +8,7 @@
 #include "app/window/document/starting_scene.h"
 #include "app/window/main_window.h"
 #include "app/window/widgets/theme.h"
+#include "core/image/files/image_file.h"
 #include "core/state/state_json.h"
 #include <QApplication>
 #include <QCommandLineParser>
@@ -96,6 +97,7 @@ int main(int argc, char** argv)
         return 2;
     }
 
+    startImageHelpers(); // ready when the window is
     if (!hasOpenGL())
         return 1;
     applyLook(application, savedLook());

@@ -7,7 +7,9 @@
 #include "core/image/sets/convention.h"
 #include <array>
 #include <cmath>
+#include <limits>
 #include <oneapi/tbb/parallel_for.h>
+#include <span>
 
 namespace relievo {
 namespace {
@@ -165,17 +167,30 @@ HeightField heightOf(const Image& image, const MapSlot& slot, const std::string&
     return HeightField(image.width, image.height, std::move(heights), Wrap::Repeat, bits);
 }
 
+namespace {
+// Whether the values stand for themselves: whole numbers, or colours and vectors from 0 on.
+bool needsNoRepair(const Image& image, Channel channel)
+{
+    if (image.channels == 1)
+        return image.type != PixelType::F32;
+    const std::span values(reinterpret_cast<const float*>(image.data.data()), image.data.size() / sizeof(float));
+    return channel == Channel::Rgb && (image.type != PixelType::F32 || std::ranges::all_of(values, [](float v) {
+        return v >= 0.f && v <= std::numeric_limits<float>::max();
+    }));
+}
+} // namespace
+
 Expected<std::shared_ptr<const Image>> mapOf(
     MapKind kind, const DecodedFile& decoded, const MapSlot& slot, const std::string& file, bool namedRelief, Warnings& warnings)
 {
     const Image& image = decoded->image;
     if (kind == MapKind::Normal && image.channels == 1)
         return failure(file, "it has one channel, so it cannot be a normal map", "Assign it as the height map instead");
+    if (image.channels == row(kind).channels && !slot.invert && needsNoRepair(image, slot.channel)
+        && (kind != MapKind::Normal || normalLayout(image, namedRelief) == NormalLayout::Xyz))
+        return std::shared_ptr<const Image>(decoded, &decoded->image);
     if (row(kind).channels == 1)
         return std::make_shared<const Image>(scalarOf(image, slot, file, warnings));
-    const bool asIs = image.channels == 3 && slot.channel == Channel::Rgb && !slot.invert && image.type != PixelType::F32;
-    if (asIs && (kind != MapKind::Normal || normalLayout(image, namedRelief) == NormalLayout::Xyz))
-        return std::shared_ptr<const Image>(decoded, &decoded->image);
     Image result = kind == MapKind::Normal ? normalOf(image, slot, namedRelief) : colorOf(image, slot.channel);
     if (image.type == PixelType::F32)
         repairFloats(result, file, warnings);

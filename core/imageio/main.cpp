@@ -9,11 +9,15 @@
 #include "core/imageio/write.h"
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <malloc.h>
 #include <new>
 #include <poll.h>
+#include <sched.h>
+#include <string_view>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <thread>
 #include <unistd.h>
 
@@ -56,6 +60,22 @@ int takeStdout()
     const int out = ::dup(STDOUT_FILENO);
     ::dup2(STDERR_FILENO, STDOUT_FILENO);
     return out;
+}
+
+// From here on there are two processes, both the editor's children, so that it hears of the end of each.
+void becomeTwo()
+{
+#ifndef __SANITIZE_ADDRESS__ // which watches memory in a thread of its own, and the copy would have none; the editor starts it then
+    if (::syscall(SYS_clone, CLONE_PARENT | SIGCHLD, nullptr, nullptr, nullptr, nullptr) == 0) {
+        ::dup2(kTwinIn, STDIN_FILENO);
+        ::dup2(kTwinOut, STDOUT_FILENO);
+        const pid_t id = ::getpid();
+        if (::write(STDOUT_FILENO, &id, sizeof id) != sizeof id)
+            ::_exit(0);
+    }
+#endif
+    ::close(kTwinIn);
+    ::close(kTwinOut);
 }
 
 WriteRequest writeRequest(PacketReader& packet)
@@ -113,9 +133,11 @@ bool answerSafely(Channel& channel, Message message, std::span<const std::byte> 
 }
 } // namespace
 
-int main()
+int main(int argc, char** argv)
 {
     limitMemory();
+    if (argc > 1 && std::string_view(argv[1]) == kWithTwin)
+        becomeTwo();
     Channel channel(STDIN_FILENO, takeStdout());
     endWhenAbandoned();
     configureLibrary();

@@ -118,6 +118,21 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
     opened.state.name = file.stem().string();
     return opened;
 }
+// A texture set of a SOURCE, whole or as far as it has been read.
+Opened openedSet(TextureSet set, const fs::path& path, const State& base)
+{
+    std::error_code code;
+    Opened opened{base, std::move(set.images), std::move(set.warnings)};
+    opened.coming = set.coming;
+    opened.state.slots = set.slots();
+    opened.state.name = set.name;
+    if (const auto heights = opened.images.find(opened.state.slots[std::size_t(MapKind::Height)].file); heights != opened.images.end())
+        takeHeightNumbers(opened.state, heights->second->image, opened.warnings);
+    if (fs::is_directory(path, code))
+        takeReliefJson(path, opened.state, opened.warnings);
+    opened.bringsValues = opened.state.parameters != base.parameters || opened.state.panes != base.panes;
+    return opened;
+}
 } // namespace
 
 bool isBuiltInSource(std::string_view source)
@@ -136,7 +151,7 @@ bool isProjectFile(const fs::path& file)
     return lowerSuffix(file) == ".relievo";
 }
 
-Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress)
+Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress, const EarlyOpened& told)
 {
     if (source.starts_with("sample:"))
         return source.starts_with("sample:hard-") ? openHardCase(std::string_view(source).substr(12), base)
@@ -159,18 +174,10 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     }
     if (isMeshFile(path))
         return openMeshMaterial(path, base, progress);
-    auto set = openTextureSet(path, progress);
-    if (!set)
-        return tl::unexpected(set.error());
-    Opened opened{base, std::move(set->images), std::move(set->warnings)};
-    opened.state.slots = set->slots();
-    opened.state.name = set->name;
-    if (const auto heights = opened.images.find(opened.state.slots[std::size_t(MapKind::Height)].file); heights != opened.images.end())
-        takeHeightNumbers(opened.state, heights->second->image, opened.warnings);
-    if (fs::is_directory(path, code))
-        takeReliefJson(path, opened.state, opened.warnings);
-    opened.bringsValues = opened.state.parameters != base.parameters || opened.state.panes != base.panes;
-    return opened;
+    const auto early = [&](const TextureSet& part) { told(openedSet(part, path, base)); };
+    return openTextureSet(path, progress, told ? EarlySet(early) : EarlySet()).map([&](TextureSet&& set) {
+        return openedSet(std::move(set), path, base);
+    });
 }
 
 } // namespace relievo

@@ -7,6 +7,7 @@
 #include "core/image/sets/texture_set.h"
 #include "core/state/state.h"
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -20,8 +21,10 @@ struct Opened {
     DecodedImages images; // spares loadResources a second decode
     Warnings warnings;
     bool bringsValues = false; // parameters and technique of the State are the file's too, not only the maps
+    EnumSet<MapKind> coming = {}; // of a texture set that is told early: maps whose files are still being read
 };
-Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress = {});
+using EarlyOpened = std::function<void(const Opened&)>; // hears of a texture set while it is being read, as EarlySet does
+Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress = {}, const EarlyOpened& told = {});
 
 // Whether SOURCE names something made by formula: there is no file behind it.
 bool isBuiltInSource(std::string_view source);

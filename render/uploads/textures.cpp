@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
 #include <limits>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace relievo {
@@ -50,15 +52,17 @@ Format formatOf(const Image& image, bool isColor)
     return {floats[channels], layout, GL_FLOAT};
 }
 
-// 16-bit colour has no sRGB texture format: decoded here, kept as half floats.
-std::vector<float> decoded(const Image& image)
+// 16-bit colour has no sRGB texture format: decoded here to half floats, by a table.
+std::vector<std::uint16_t> decoded(const Image& image)
 {
-    std::vector<float> values(image.texelCount() * std::size_t(image.channels));
-    tbb::parallel_for(0, image.height, [&](int y) {
-        for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < image.channels; ++c)
-                values[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * std::size_t(image.channels) + std::size_t(c)]
-                    = decodedSrgb(image.value(x, y, c));
+    std::vector<std::uint16_t> halves(65536);
+    tbb::parallel_for(
+        std::size_t(0), halves.size(), [&](std::size_t v) { halves[v] = glm::packHalf1x16(decodedSrgb(float(v) / 65535.f)); });
+    std::vector<std::uint16_t> values(image.data.size() / sizeof(std::uint16_t));
+    const auto* texels = reinterpret_cast<const std::uint16_t*>(image.data.data());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), 1 << 16), [&](const auto& slice) {
+        for (std::size_t i = slice.begin(); i < slice.end(); ++i)
+            values[i] = halves[texels[i]];
     });
     return values;
 }
@@ -71,13 +75,13 @@ Texture uploadImage(const Image& image, bool isColor)
     glBindTexture(GL_TEXTURE_2D, *texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const Format format = formatOf(image, isColor);
-    const auto load = [&](const void* data) {
-        glTexImage2D(GL_TEXTURE_2D, 0, format.internal, image.width, image.height, 0, format.layout, format.type, data);
+    const auto load = [&](GLenum type, const void* data) {
+        glTexImage2D(GL_TEXTURE_2D, 0, format.internal, image.width, image.height, 0, format.layout, type, data);
     };
     if (image.type == PixelType::U16 && isColor)
-        load(decoded(image).data());
+        load(GL_HALF_FLOAT, decoded(image).data());
     else
-        load(image.data.data());
+        load(format.type, image.data.data());
     setFilter(image.channels == 1 ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
     return texture;
 }
@@ -148,7 +152,7 @@ void uploadHeightLevel(const HeightField& field, int level)
 {
     if (field.storedBits() <= 16) {
         std::vector<std::uint16_t> values(field.texels().size());
-        std::ranges::transform(field.texels(), values.begin(), [](float h) { return std::uint16_t(std::lround(h * 65535.f)); });
+        std::ranges::transform(field.texels(), values.begin(), [](float h) { return std::uint16_t(h * 65535.f + 0.5f); });
         glTexImage2D(GL_TEXTURE_2D, level, GL_R16, field.width(), field.height(), 0, GL_RED, GL_UNSIGNED_SHORT, values.data());
     } else {
         glTexImage2D(GL_TEXTURE_2D, level, GL_R32F, field.width(), field.height(), 0, GL_RED, GL_FLOAT, field.texels().data());

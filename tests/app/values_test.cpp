@@ -149,7 +149,7 @@ TEST(FramePacer, StaysWithinItsScalesAndFindsTheTarget)
         slow.took(500 * slow.scale() * slow.scale(), slow.scale());
         fast.took(1 * fast.scale() * fast.scale(), fast.scale());
     }
-    EXPECT_NEAR(slow.scale(), 1. / 3, 1e-9) << "never below a third each way";
+    EXPECT_NEAR(slow.scale(), 1. / 6, 1e-9) << "never below a sixth each way";
     EXPECT_GE(fast.scale(), 11. / 12);
 }
 

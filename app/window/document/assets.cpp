@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/assets.h"
-#include "app/window/document/load_results.h"
 #include <utility>
 
 namespace relievo {
@@ -17,6 +16,8 @@ Assets::Assets(Document& document, Messages& messages, QObject* parent) : QObjec
             end(job->id, Error{what.toStdString(), m_document.state().name, "Use smaller maps or meshes"});
     });
     connect(&m_background, &Background::busyChanged, this, [this](bool busy) {
+        if (!busy)
+            drawEarly({});
         if (!busy && m_queue.running()) // else its end is known
             cancelled();
     });
@@ -72,8 +73,16 @@ void Assets::runNext()
 
 void Assets::start(const QueuedJob& job, const QString& what)
 {
+    drawEarly({});
     const auto work = [this, job, now = m_document.state(), previous = m_store.shown()](const Progress& progress) -> Background::Then {
-        const Expected<Loaded> loaded = load(job.job, now, previous, progress);
+        const auto early = [&](const Loaded& part) {
+            const auto draw = [this, stop = progress.stop, picture = EarlyPicture{job.job, part}] {
+                if (!stop.stop_requested())
+                    drawEarly(picture);
+            };
+            QMetaObject::invokeMethod(this, draw, Qt::QueuedConnection); // comes before the end
+        };
+        const Expected<Loaded> loaded = load(job.job, now, previous, progress, early);
         return [this, job, loaded] {
             if (!loaded)
                 return end(job.id, loaded.error());
@@ -82,6 +91,14 @@ void Assets::start(const QueuedJob& job, const QString& what)
         };
     };
     m_background.start(work, what);
+}
+
+void Assets::drawEarly(std::optional<EarlyPicture> picture)
+{
+    if (!picture && !m_early)
+        return;
+    m_early = std::move(picture);
+    Q_EMIT earlyChanged();
 }
 
 void Assets::end(JobId id, const std::optional<Error>& why)

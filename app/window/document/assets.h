@@ -6,6 +6,7 @@
 #include "app/window/document/document.h"
 #include "app/window/document/file_watch.h"
 #include "app/window/document/load_queue.h"
+#include "app/window/document/load_results.h"
 #include "app/window/document/messages.h"
 #include "app/window/document/resource_store.h"
 #include <QObject>
@@ -13,6 +14,12 @@
 #include <utility>
 
 namespace relievo {
+
+// An opening of which not all is there yet. It is drawn in place of the document, which it is no part of.
+struct EarlyPicture {
+    Job job;
+    Loaded part;
+};
 
 // Everything here returns at once. What needs files waits its turn (LoadQueue) and is then shown (ResourceStore).
 // What was edited while files were read stays. A failure leaves document and data as they were and stands in the messages under "load".
@@ -25,6 +32,10 @@ public:
 
     const Resources& resources() const { return m_store.resources(); }
     bool ready() const { return m_store.ready(); }
+    // What is drawn: the document, or an opening of which not all is there yet. Its mesh is null while nothing is there.
+    const Resources& drawnResources() const { return m_early ? m_early->part.shown.resources : resources(); }
+    bool drawsEarly() const { return m_early.has_value(); }
+    State drawnState() const { return m_early ? broughtBy(m_early->job, m_early->part, m_document.state()) : m_document.state(); }
     // What the document names and is not there.
     const std::optional<StandIn>& missingMesh() const { return m_store.shown().mesh; }
     bool locatesMesh(const QString& file) const { return m_store.locatesMesh(m_document.state(), file); }
@@ -66,6 +77,7 @@ public:
 
 Q_SIGNALS:
     void resourcesChanged();
+    void earlyChanged(); // what is drawn is another while the document stays
     void refused(); // the document stays as it is: what shows something else is to look again
     void changesEnded(bool all); // none is pending any more; all: none of them was refused, cancelled or dropped
 
@@ -73,6 +85,7 @@ private:
     void request(Job job);
     void runNext();
     void start(const QueuedJob& job, const QString& what);
+    void drawEarly(std::optional<EarlyPicture> picture);
     void end(JobId id, const std::optional<Error>& why); // nothing: it is done
     void tellRefused(const Job& job, const Error& why);
     void cancelled(); // by the user
@@ -88,6 +101,7 @@ private:
     Messages& m_messages;
     ResourceStore m_store;
     LoadQueue m_queue;
+    std::optional<EarlyPicture> m_early; // of the job that runs
     Background m_background; // works for the job that runs
     FileWatch m_watch; // over the files that are shown
 };

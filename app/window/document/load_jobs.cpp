@@ -5,6 +5,7 @@
 #include "app/window/document/starting_scene.h"
 #include "core/ground/file.h"
 #include "core/image/sets/texture_set.h"
+#include "core/scene/maps_to_come.h"
 #include "core/scene/source.h"
 #include <utility>
 
@@ -40,6 +41,7 @@ struct Turn {
     const State& now;
     const Shown& previous;
     const Progress& progress;
+    const EarlyLoaded& early;
 };
 
 // Loads what loaded.opened.state names.
@@ -70,16 +72,33 @@ FileStamps stampsBeside(const QString& source)
     return stampsIn(std::filesystem::is_directory(path, code) ? path : path.parent_path());
 }
 
+// Loads what is there of a texture set, tells it with stand-ins, and leaves it in `before`, so that nothing is made twice. Not when it
+// would have to wait for acceleration maps.
+void tellEarly(Loaded part, Shown& before, const Turn& turn)
+{
+    const EnumSet<MapKind> coming = part.opened.coming;
+    if (!needsOf(part.opened.state).accelerationMaps.empty())
+        return;
+    auto loaded = withFiles(std::move(part), before, Progress{{}, turn.progress.stop});
+    if (!loaded)
+        return;
+    Shown& shown = loaded->shown;
+    before.resources = shown.resources, before.mesh = shown.mesh, before.environment = shown.environment;
+    shown.resources.material = withMapsToCome(*shown.resources.material, coming, loaded->opened.state.parameters.depth);
+    turn.early(*loaded);
+}
+
 Expected<Loaded> loadSource(const QString& source, const State& base, const Turn& turn, bool onlyMaterial = false)
 {
     const FileStamps beside = stampsBeside(source);
-    auto opened = openSource(source.toStdString(), base, turn.progress.part(0.f, 0.6f));
+    Shown before = withoutChanged(turn.previous);
+    const auto early = [&](const Opened& part) { tellEarly({.base = base, .opened = part, .shown = {}}, before, turn); };
+    auto opened = openSource(source.toStdString(), base, turn.progress.part(0.f, 0.6f), turn.early ? EarlyOpened(early) : EarlyOpened());
     if (!opened)
         return tl::unexpected(opened.error());
     if (onlyMaterial)
         opened->state.mesh = base.mesh, opened->state.part = base.part;
-    auto loaded = withFiles(
-        {.base = base, .opened = std::move(*opened), .shown = {}}, withoutChanged(turn.previous), turn.progress.part(0.6f, 1.f));
+    auto loaded = withFiles({.base = base, .opened = std::move(*opened), .shown = {}}, before, turn.progress.part(0.6f, 1.f));
     if (loaded)
         for (auto& [name, stamp] : loaded->shown.files)
             if (const auto seen = beside.find(name); seen != beside.end())
@@ -195,9 +214,9 @@ bool standsInForAnother(const Job& job)
     return opening && opening->insteadOf;
 }
 
-Expected<Loaded> load(const Job& job, const State& now, const Shown& previous, const Progress& progress)
+Expected<Loaded> load(const Job& job, const State& now, const Shown& previous, const Progress& progress, const EarlyLoaded& early)
 {
-    return std::visit([turn = Turn{now, previous, progress}](const auto& kind) { return loadFor(kind, turn); }, job);
+    return std::visit([turn = Turn{now, previous, progress, early}](const auto& kind) { return loadFor(kind, turn); }, job);
 }
 
 } // namespace relievo

@@ -75,7 +75,11 @@ struct Loaded {
     StateChange change = {}; // of an edit, settled
 };
 
+// Hears of a texture set that is opened while it is being read (EarlySet): with stand-ins for the maps that are coming, and fit to be
+// drawn.
+using EarlyLoaded = std::function<void(const Loaded&)>;
+
 // From document and data as they are when the job's turn comes; any thread. An edit whose new files could not be read is an error.
-Expected<Loaded> load(const Job& job, const State& now, const Shown& previous, const Progress& progress);
+Expected<Loaded> load(const Job& job, const State& now, const Shown& previous, const Progress& progress, const EarlyLoaded& early = {});
 
 } // namespace relievo

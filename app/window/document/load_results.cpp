@@ -17,6 +17,26 @@ void addToRecent(const QString& source)
         addRecentFile(QFileInfo(source).absoluteFilePath());
 }
 
+// A mesh that is new to the document starts with a relief that fits it, unless the file says how deep its own is.
+void fitDepth(State& state, const Loaded& loaded)
+{
+    if (loaded.shown.mesh || loaded.opened.bringsValues)
+        return;
+    const float fits = fittingDepth(state.parameters, loaded.shown.resources.mesh->metresPerUV, loaded.shown.resources.fit);
+    if (!(state.parameters.depth > fits))
+        return;
+    const double unit = std::pow(10., std::floor(std::log10(double(fits))) - 1.); // two digits
+    state.parameters.depth = float(std::floor(double(fits) / unit) * unit);
+}
+
+State broughtBy(const OpenDocument& job, const Loaded& loaded, const State&)
+{
+    State state = loaded.opened.state;
+    if (!isWholeDocument(job.source) && state.mesh != loaded.base.mesh)
+        fitDepth(state, loaded);
+    return state;
+}
+
 // What a SOURCE brings; what was edited while it was read stays.
 State broughtBy(const OpenInto& job, const Loaded& loaded, const State& now)
 {
@@ -31,28 +51,20 @@ State broughtBy(const OpenInto& job, const Loaded& loaded, const State& now)
         next.environment = now.environment;
     if (now.mesh != job.before.mesh && next.mesh == loaded.base.mesh)
         next.mesh = now.mesh, next.part = now.part;
+    if (next.parameters.depth == loaded.opened.state.parameters.depth)
+        fitDepth(next, loaded);
     return next;
 }
 
-// A mesh that is new to the document starts with a relief that fits it, unless the file says how deep its own is.
-void fitDepth(State& state, const Loaded& loaded)
+template <class Kind> State broughtBy(const Kind&, const Loaded& loaded, const State&)
 {
-    if (loaded.shown.mesh || loaded.opened.bringsValues)
-        return;
-    const float fits = fittingDepth(state.parameters, loaded.shown.resources.mesh->metresPerUV, loaded.shown.resources.fit);
-    if (!(state.parameters.depth > fits))
-        return;
-    const double unit = std::pow(10., std::floor(std::log10(double(fits))) - 1.); // two digits
-    state.parameters.depth = float(std::floor(double(fits) / unit) * unit);
+    return loaded.opened.state;
 }
 
 void apply(const OpenDocument& job, const Loaded& loaded, Document& document)
 {
     const bool isProject = isProjectFile(job.source.toStdString());
-    State state = loaded.opened.state;
-    if (!isWholeDocument(job.source) && state.mesh != loaded.base.mesh)
-        fitDepth(state, loaded);
-    document.start(state, isProject ? QFileInfo(job.source).absoluteFilePath() : QString());
+    document.start(broughtBy(job, loaded, document.state()), isProject ? QFileInfo(job.source).absoluteFilePath() : QString());
     if (job.counted)
         addToRecent(job.source);
 }
@@ -64,9 +76,7 @@ void apply(const OpenState& job, const Loaded& loaded, Document& document)
 
 void apply(const OpenInto& job, const Loaded& loaded, Document& document)
 {
-    State next = broughtBy(job, loaded, document.state());
-    if (next.parameters.depth == loaded.opened.state.parameters.depth)
-        fitDepth(next, loaded);
+    const State next = broughtBy(job, loaded, document.state());
     if (job.asStep || editedSince(job.before, document))
         document.edit(QObject::tr("Open %1").arg(QString::fromStdString(shownName(next.name))), [&](State& state) { state = next; });
     else
@@ -140,6 +150,11 @@ bool losesWork(const Job& job, const Document& document)
     const auto* opening = std::get_if<OpenDocument>(&job);
     const auto* state = std::get_if<OpenState>(&job);
     return (opening && editedSince(opening->before, document)) || (state && editedSince(state->before, document));
+}
+
+State broughtBy(const Job& job, const Loaded& loaded, const State& now)
+{
+    return std::visit([&](const auto& kind) { return broughtBy(kind, loaded, now); }, job);
 }
 
 void applyLoaded(const Job& job, const Loaded& loaded, Document& document)

@@ -14,6 +14,9 @@ bool editedSince(const State& before, const Document& document);
 // Work that would be lost: what was edited while a document was read that replaces the present one.
 bool losesWork(const Job& job, const Document& document);
 
+// The document that an opening comes to, when it is `now`: what was edited while it was read stays in what is no document of its own.
+State broughtBy(const Job& job, const Loaded& loaded, const State& now);
+
 // The change of the document, once its data is shown.
 void applyLoaded(const Job& job, const Loaded& loaded, Document& document);
 

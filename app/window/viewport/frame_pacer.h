@@ -7,11 +7,11 @@
 
 namespace relievo {
 
-// The scale is the share of the full resolution along each side, in steps of 1/12 from 1/3 to 1.
+// The scale is the share of the full resolution along each side, in steps of 1/12 from 1/6 to 1.
 class FramePacer {
 public:
     static constexpr double kTarget = 14.; // ms of drawing, so that with the window's own 20 ms a frame 25 a second are kept
-    static constexpr int kSteps = 12, kLeast = 4;
+    static constexpr int kSteps = 12, kLeast = 2;
 
     double scale() const { return double(m_step) / kSteps; }
 

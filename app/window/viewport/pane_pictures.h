@@ -16,7 +16,7 @@ class MeshReference;
 
 // What the panes show. Refers to values of others.
 struct ShownScene {
-    const State& state;
+    State state;
     const Resources& resources;
     const MeshReference& reference;
     double pixelRatio; // pixels of the screen a pixel of the window

@@ -46,6 +46,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     connect(&document, &Document::changed, this, &Viewport::documentChanged);
     connect(&document, &Document::gestureEnded, this, [this] { refresh(false); });
     connect(&assets, &Assets::resourcesChanged, this, [this] { refresh(false); });
+    connect(&assets, &Assets::earlyChanged, this, [this] { refresh(m_assets.drawsEarly()); });
     connect(m_reference, &MeshReference::progressed, this, &Viewport::updateOverlays);
     connect(m_reference, &MeshReference::made, this, [this] { refresh(false); });
     connect(m_navigator, &Navigator::pressed, this, [this](std::size_t pane) { setActivePane(int(pane)); });
@@ -93,14 +94,14 @@ std::vector<PaneArea> Viewport::areas() const
 
 ShownScene Viewport::scene() const
 {
-    return {m_document.state(), m_assets.resources(), *m_reference, devicePixelRatioF()};
+    return {m_assets.drawnState(), m_assets.drawnResources(), *m_reference, devicePixelRatioF()};
 }
 
 Navigator::PaneView Viewport::view(std::size_t pane) const
 {
     const std::vector<PaneArea> all = areas();
     const PaneArea& area = all[std::min(pane, all.size() - 1)];
-    const Mesh& mesh = *m_assets.resources().mesh;
+    const Mesh& mesh = *m_assets.drawnResources().mesh;
     return {cameraOnto(mesh, cameraOf(m_document.state(), pane), area.aspect()), double(area.height) / devicePixelRatioF()};
 }
 
@@ -123,16 +124,15 @@ void Viewport::refresh(bool moving)
     m_moving = moving;
     m_measuring.stop();
     m_smoothing.stop();
-    if (moving)
+    m_rest.stop();
+    if (moving && !m_assets.drawsEarly()) // after an early picture more comes soon
         m_rest.start(kRestDelay);
-    else
-        m_rest.stop();
     update();
 }
 
 void Viewport::paintGL()
 {
-    if (!m_pictures || !m_assets.ready())
+    if (!m_pictures || !m_assets.drawnResources().mesh)
         return clearTo(defaultFramebufferObject(), 0.2f, 0.2f, 0.2f);
     if (m_stale)
         drawPanes(m_moving ? m_pacer.scale() : 1.);
@@ -159,8 +159,8 @@ void Viewport::drawPanes(double scale)
 void Viewport::drawn(const QList<Message>& troubles)
 {
     // Maps that are being made, or were stopped, are told by Assets.
-    const Resources& resources = m_assets.resources();
-    const bool waits = !resources.accelerationMaps.missingFor(m_document.state(), *resources.material).empty();
+    const Resources& resources = m_assets.drawnResources();
+    const bool waits = !resources.accelerationMaps.missingFor(m_assets.drawnState(), *resources.material).empty();
     m_messages.set("picture", waits ? QList<Message>() : troubles);
     if (!troubles.isEmpty())
         m_measured.clear(), updateOverlays(); // it was of another picture
@@ -200,7 +200,7 @@ QImage Viewport::picture()
         return {};
     makeCurrent();
     const auto done = qScopeGuard([this] { doneCurrent(); });
-    return m_pictures->sheet(scene(), areas(), SamplesAtRest::kLeast);
+    return m_pictures->sheet({m_document.state(), m_assets.resources(), *m_reference, devicePixelRatioF()}, areas(), SamplesAtRest::kLeast);
 }
 
 void Viewport::setActivePane(int pane)

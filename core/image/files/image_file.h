@@ -28,11 +28,14 @@ struct ImageRead {
     Warnings warnings; // "reduced", "cmyk", "no-alpha-premultiply" ...: what the user should know
 };
 
-// All functions are safe to call from several threads (requests to the helper are taken in turn). Errors name the file and
-// the cure. A crash, hang (20 s without progress) or memory bomb of the image library is an error; the helper is respawned.
+// All functions are safe to call from several threads (two requests are answered at once, others wait for their turn). Errors name the file
+// and the cure. A crash, hang (20 s without progress) or memory bomb of the image library is an error; the helper is respawned.
 // `file` may also be "FILE.glb#N", picture N inside a glTF file, or "FILE.exr#NAME", a layer (core/gltf/pictures.h).
 Expected<ImageInfo> readImageInfo(const std::filesystem::path& file);
 Expected<ImageRead> readImage(const std::filesystem::path& file, const Progress& progress = {});
+
+// Starts the helpers ahead of the first request, which then need not wait until they have loaded their libraries. Returns at once.
+void startImageHelpers();
 
 // A texture inside a .glb or a data URI: the undecoded bytes of a PNG or JPEG. `name` stands in messages.
 Expected<ImageRead> readImageBytes(std::span<const std::byte> bytes, const std::string& name);

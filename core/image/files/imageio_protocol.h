@@ -39,6 +39,8 @@ inline constexpr std::uint32_t kMaxPacket = 1 << 20; // bytes of any frame but D
 inline constexpr std::uint32_t kMaxData = 1 << 30; // bytes of a Data frame
 inline constexpr int kMaxSide = 16384; // texels a side that are kept; a larger image is box-reduced while it is read
 inline constexpr std::size_t kMemoryLimitMiB = 3072; // address space of the helper
+inline constexpr const char* kWithTwin = "--with-twin"; // its argument when a copy of it is to talk over these descriptors:
+inline constexpr int kTwinIn = 3, kTwinOut = 4; // the first thing that this one says is its process id, as pid_t
 inline constexpr int kOutOfTime = 75; // its exit code when decoding takes far longer than the promised pixels can need
 
 // The bytes of a packet: fixed-size numbers, and strings with their length before them.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/files/process_client.h"
+#include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
 #include <boost/process/env.hpp>
 #include <boost/process/exe.hpp>
@@ -32,12 +33,23 @@ std::string helperPath()
     return (self.parent_path() / "relievo-imageio").string();
 }
 
+// What the variable holds already, and one thing more.
+std::string withOption(const char* variable, const std::string& more)
+{
+    const char* set = std::getenv(variable);
+    return set && *set ? std::string(set) + ":" + more : more;
+}
+
 // AddressSanitizer builds cannot be limited by address space: they watch their resident memory themselves.
 std::string sanitizerOptions()
 {
-    const char* set = std::getenv("ASAN_OPTIONS");
-    const std::string limits = "hard_rss_limit_mb=" + std::to_string(imageio::kMemoryLimitMiB) + ":detect_leaks=0";
-    return set && *set ? std::string(set) + ":" + limits : limits;
+    return withOption("ASAN_OPTIONS", "hard_rss_limit_mb=" + std::to_string(imageio::kMemoryLimitMiB) + ":detect_leaks=0");
+}
+
+// As core/ground/large_pages.cpp for this program, but for the C libraries that decode.
+std::string largePages()
+{
+    return withOption("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1");
 }
 
 void closeHandle(int& handle)
@@ -81,34 +93,68 @@ bool HelperProcess::fail(HelperTrouble trouble)
     return false;
 }
 
-bool HelperProcess::ensureRunning(bool& fresh)
+bool HelperProcess::hasEnded()
 {
-    namespace bp = boost::process;
     std::error_code code;
-    fresh = false;
-    m_trouble = HelperTrouble::None;
-    if (m_process && m_process->child.running(code))
-        return true;
-    kill();
-    fresh = true;
+    return m_in < 0 || (m_process && !m_process->child.running(code));
+}
+
+// Keeps our ends of a new connection. The numbers of the others are none that the helper knows its own by.
+std::optional<HelperProcess::Ends> HelperProcess::connect()
+{
+    constexpr int kAbove = imageio::kTwinOut + 1;
     int in[2] = {-1, -1}, out[2] = {-1, -1};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in) != 0 || ::pipe2(out, O_CLOEXEC) != 0) {
-        closeHandle(in[0]);
-        closeHandle(in[1]);
-        return fail(HelperTrouble::NotFound);
-    }
-    ::fcntl(out[0], F_SETPIPE_SZ, kPipeBytes);
-    m_in = in[0];
-    m_out = out[0];
-    try {
-        m_process = std::make_unique<Process>();
-        m_process->child = bp::child(bp::exe = helperPath(), bp::posix::fd.bind(STDIN_FILENO, in[1]),
-            bp::posix::fd.bind(STDOUT_FILENO, out[1]), bp::std_err > bp::null, bp::env["ASAN_OPTIONS"] = sanitizerOptions(), code);
-    } catch (const std::exception&) {
-        code = std::make_error_code(std::errc::no_such_process);
+    const bool made = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in) == 0 && ::pipe2(out, O_CLOEXEC) == 0;
+    m_in = in[0], m_out = out[0];
+    Ends ends;
+    if (made) {
+        ::fcntl(m_out, F_SETPIPE_SZ, kPipeBytes);
+        ends = {::fcntl(in[1], F_DUPFD_CLOEXEC, kAbove), ::fcntl(out[1], F_DUPFD_CLOEXEC, kAbove)};
     }
     closeHandle(in[1]);
     closeHandle(out[1]);
+    if (ends.in >= 0 && ends.out >= 0)
+        return ends;
+    closeHandle(ends.in);
+    closeHandle(ends.out);
+    return std::nullopt;
+}
+
+bool HelperProcess::ensureRunning(bool& fresh, HelperProcess* twin)
+{
+    namespace bp = boost::process;
+    using bp::posix::fd;
+    m_trouble = HelperTrouble::None;
+    fresh = hasEnded();
+    if (!fresh)
+        return true;
+    kill();
+    if (twin)
+        twin->kill();
+    std::optional<Ends> own = connect(), others = own && twin ? twin->connect() : std::nullopt;
+    if (!own)
+        return fail(HelperTrouble::NotFound);
+    std::error_code code;
+    try {
+        const auto start = [&](auto&&... more) {
+            return bp::child(bp::exe = helperPath(), fd.bind(STDIN_FILENO, own->in), fd.bind(STDOUT_FILENO, own->out),
+                bp::std_err > bp::null, bp::env["ASAN_OPTIONS"] = sanitizerOptions(), bp::env["GLIBC_TUNABLES"] = largePages(), more...,
+                code);
+        };
+        m_process = std::make_unique<Process>();
+        m_process->child = others
+            ? start(bp::args = imageio::kWithTwin, fd.bind(imageio::kTwinIn, others->in), fd.bind(imageio::kTwinOut, others->out))
+            : start();
+    } catch (const std::exception&) {
+        code = std::make_error_code(std::errc::no_such_process);
+    }
+    for (std::optional<Ends>* ends : {&own, &others})
+        if (*ends) {
+            closeHandle((*ends)->in);
+            closeHandle((*ends)->out);
+        }
+    if (code && twin)
+        twin->kill();
     return code ? fail(HelperTrouble::NotFound) : true;
 }
 
@@ -130,8 +176,20 @@ bool HelperProcess::wait(int handle, short events, const Progress& progress)
     }
 }
 
+bool HelperProcess::greet(const Progress& progress)
+{
+    pid_t id = 0;
+    if (!receive(std::as_writable_bytes(std::span(&id, 1)), progress))
+        return false;
+    m_process = std::make_unique<Process>();
+    m_process->child = boost::process::child(id);
+    return true;
+}
+
 bool HelperProcess::send(std::span<const std::byte> bytes, const Progress& progress)
 {
+    if (!m_process && !greet(progress))
+        return false;
     while (!bytes.empty()) {
         if (!wait(m_in, POLLOUT, progress))
             return false;
@@ -163,6 +221,8 @@ bool HelperProcess::receive(std::span<std::byte> bytes, const Progress& progress
 // Asked when its output has ended: then it has ended, too, or is just about to.
 bool HelperProcess::endedOutOfTime()
 {
+    if (!m_process)
+        return false;
     int status = 0;
     const pid_t ended = ::waitpid(m_process->child.id(), &status, 0);
     if (ended != m_process->child.id())

@@ -12,7 +12,8 @@
 #include "core/image/sets/set_plan.h"
 #include <algorithm>
 #include <array>
-#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -21,7 +22,11 @@ constexpr double kNormalShare = 0.8; // of texels that are unit vectors, as in r
 
 class Opener {
 public:
-    Opener(SetPlan plan, const fs::path& source, const Progress& progress) : m_plan(std::move(plan)), m_source(source), m_progress(progress)
+    Opener(SetPlan plan, const fs::path& source, const Progress& progress, const EarlySet& early)
+        : m_plan(std::move(plan))
+        , m_source(source)
+        , m_progress(progress)
+        , m_early(early)
     {
         m_set.name = m_plan.name;
         m_set.folder = m_plan.folder;
@@ -107,33 +112,64 @@ private:
         m_set.warnings.push_back({"ignored-file", candidate.file.filename().string() + " " + why + ": not used"});
     }
 
+    // The files of the choices in turn, as many at once as there are helpers; heights, which stand first, are there first.
     void decode(const std::vector<Choice>& choices)
     {
+        namespace tbb = oneapi::tbb;
         std::vector<fs::path> files;
         for (const Choice& choice : choices)
             if (!m_set.images.contains(choice.candidate->file) && std::ranges::find(files, choice.candidate->file) == files.end())
                 files.push_back(choice.candidate->file);
         std::vector<Expected<ImageRead>> reads(files.size());
-        oneapi::tbb::parallel_for(std::size_t(0), files.size(), [&](std::size_t i) {
-            const Progress quiet{{}, m_progress.stop};
-            reads[i] = readImage(files[i], quiet);
-            m_progress.at(float(i + 1) / float(files.size() + 1));
-        });
+        std::size_t next = 0, ready = 0;
+        const auto take = [&](tbb::flow_control& control) { return next < files.size() ? next++ : (control.stop(), next); };
+        const auto read = [&](std::size_t i) { return reads[i] = readImage(files[i], Progress{{}, m_progress.stop}), i; };
+        const auto keep = [&](std::size_t i) {
+            if (reads[i])
+                m_set.images[files[i]] = std::make_shared<const ImageRead>(std::move(*reads[i]));
+            else
+                std::ranges::find(m_candidates, files[i], &Candidate::file)->roles.clear();
+            m_progress.at(float(++ready) / float(files.size() + 1));
+            if (reads[i] && ready < files.size()) // what waits for its pieces must not begin with another file
+                tbb::this_task_arena::isolate([this] { tellEarly(); });
+        };
+        tbb::parallel_pipeline(files.size() + 1,
+            tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take)
+                & tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, read)
+                & tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_out_of_order, keep));
         for (std::size_t i = 0; i < files.size(); ++i)
-            take(files[i], std::move(reads[i]));
+            tell(files[i], reads[i]);
     }
 
-    void take(const fs::path& file, Expected<ImageRead> read)
+    // The set as it would be if it ended here, once it has the heights that it promises.
+    void tellEarly() const
     {
-        Candidate& candidate = *std::ranges::find(m_candidates, file, &Candidate::file);
-        if (!read) {
-            broken(file, read.error());
-            candidate.roles.clear();
-            m_lost = true;
+        if (!m_early || m_progress.cancelled())
+            return;
+        Opener ended = *this;
+        ended.lookAtPixels();
+        std::vector<Choice> choices = chooseMaps(ended.m_candidates);
+        const auto isComing = [&](const Choice& choice) { return !ended.m_set.images.contains(choice.candidate->file); };
+        for (const Choice& choice : choices)
+            if (isComing(choice))
+                ended.m_set.coming.insert(choice.role.kind);
+        std::erase_if(choices, isComing);
+        if (choices.empty() || ended.m_set.coming.contains(MapKind::Height))
+            return;
+        ended.fill(choices);
+        measureMaps(ended.m_set, ended.named(choices));
+        m_early(ended.m_set);
+    }
+
+    void tell(const fs::path& file, const Expected<ImageRead>& read)
+    {
+        if (read) {
+            const Warnings& warnings = m_set.images.at(file)->warnings;
+            m_set.warnings.insert(m_set.warnings.end(), warnings.begin(), warnings.end());
             return;
         }
-        m_set.warnings.insert(m_set.warnings.end(), read->warnings.begin(), read->warnings.end());
-        m_set.images[file] = std::make_shared<const ImageRead>(std::move(*read));
+        broken(file, read.error());
+        m_lost = true;
     }
 
     // Whether any decoded file gives other maps than its name promised.
@@ -276,6 +312,7 @@ private:
     SetPlan m_plan;
     fs::path m_source;
     const Progress& m_progress;
+    const EarlySet& m_early;
     TextureSet m_set;
     std::vector<Candidate> m_candidates; // not resized after readHeaders: choices point into it
     std::string m_resolution; // the tag in the name of SOURCE
@@ -294,7 +331,7 @@ MapSlots TextureSet::slots() const
     return slots;
 }
 
-Expected<TextureSet> openTextureSet(const fs::path& source, const Progress& progress)
+Expected<TextureSet> openTextureSet(const fs::path& source, const Progress& progress, const EarlySet& early)
 {
     if (source.empty())
         return failure(ErrorCode::NotFound, "SOURCE", "there is no such file or folder", "Check the path");
@@ -302,7 +339,7 @@ Expected<TextureSet> openTextureSet(const fs::path& source, const Progress& prog
     Expected<SetPlan> plan = planSource(path);
     if (!plan)
         return tl::unexpected(plan.error());
-    return Opener(std::move(*plan), path, progress).run();
+    return Opener(std::move(*plan), path, progress, early).run();
 }
 
 } // namespace relievo

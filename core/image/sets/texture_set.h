@@ -7,6 +7,7 @@
 #include "core/image/files/image_file.h"
 #include "core/state/map_slots.h"
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -56,13 +57,18 @@ struct TextureSet {
     std::vector<FoundMap> maps; // at most one per kind, in the order of kMapKinds
     DecodedImages images; // every image that was decoded for measuring
     Warnings warnings; // what was converted, guessed or ignored, in the user's words
+    EnumSet<MapKind> coming; // of a set that is told early: maps whose files are still being read
     MapSlots slots() const; // as the State stores them: depth -> invert, DX -> green flip
 };
+
+// Hears of a set while the rest of it is being read, each time that there is more of it, but not before its heights. Names and pixels of
+// what is there decide; the whole set may decide otherwise. Called from any thread, never twice at once.
+using EarlySet = std::function<void(const TextureSet&)>;
 
 // source: a folder, or one image of a set (siblings by the same stem), or a single image without siblings: it is a height map
 // (a depth map when its stem ends in "depth"). Reads pixels to measure conventions (resources/help/command-line.md, "What info tells").
 // Errors: nothing there, no readable image, unsupported container (KTX, KTX2, raw float) named as such.
-Expected<TextureSet> openTextureSet(const std::filesystem::path& source, const Progress& progress = {});
+Expected<TextureSet> openTextureSet(const std::filesystem::path& source, const Progress& progress = {}, const EarlySet& early = {});
 
 // The sets to choose from in a folder, the most complete one first: those that lie in it, or, where no images do, the folders below it that
 // hold some. Only names are looked at. UDIM tiles are one set. Nothing when the folder cannot be read.
