@@ -46,7 +46,7 @@ std::string sanitizerOptions()
     return withOption("ASAN_OPTIONS", "hard_rss_limit_mb=" + std::to_string(imageio::kMemoryLimitMiB) + ":detect_leaks=0");
 }
 
-// As core/ground/large_pages.cpp for this program, but for the C libraries that decode.
+// Pictures are decoded into large pages where the system has them: touching that much memory by small ones takes long.
 std::string largePages()
 {
     return withOption("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1");
