@@ -45,6 +45,7 @@ SceneUniforms uniformsOf(const Frame& frame)
     SceneUniforms uniforms
         = sceneUniforms(frame.parameters, jittered(frame.request.camera(), target), frame.request.resources().mesh->metresPerUV);
     uniforms.pushOut = frame.technique.displaces ? (1.f - frame.parameters.midlevel) * uniforms.reliefDepth : 0.f;
+    uniforms.meshDepth = frame.technique.meshDepth();
     uniforms.heatScale = 1.f / heatRange(frame.parameters, frame.view);
     uniforms.sampleTurn = target.jitter.x;
     return uniforms;
@@ -74,7 +75,7 @@ Expected<Frame> prepareFrame(DrawContext& context, const DrawRequest& request)
     Frame frame{.request = request,
         .technique = *technique,
         .view = *view,
-        .parameters = drawnParameters(state, request.pane(), *view),
+        .parameters = drawnParameters(state, request.pane(), *technique, *view),
         .acceleration = nullptr};
     const EnumSet<MapKind> maps = presentMaps(*resources.material);
     if ((technique->needsHeights() || view->isAgainstExact) && !maps.contains(MapKind::Height))
