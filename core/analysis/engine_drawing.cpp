@@ -4,6 +4,7 @@
 #include "core/analysis/engine_drawing.h"
 #include "core/analysis/ray_sets.h"
 #include "core/trace/shader_on_cpu.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -24,6 +25,22 @@ std::vector<SearchRay> evenRays(double angle, double depth)
         rays.push_back(rayAt({part(i, 1. / kRoot), part(i, 1. / (kRoot * kRoot))}, angle,
             2. * std::numbers::pi * part(i, 1. / (kRoot * kRoot * kRoot)), depth));
     return rays;
+}
+
+struct Factor {
+    double value, weight;
+};
+// Half of the weight lies below it, half above.
+double median(std::vector<Factor> factors)
+{
+    std::ranges::sort(factors, {}, &Factor::value);
+    double half = 0.;
+    for (const Factor& factor : factors)
+        half += 0.5 * factor.weight;
+    for (const Factor& factor : factors)
+        if ((half -= factor.weight) <= 0.)
+            return factor.value;
+    return 1.; // there is none
 }
 
 std::string text(const char* format, double value)
@@ -51,17 +68,17 @@ Expected<EngineDrawing> drawnBy(
     if (!exact)
         return tl::unexpected(exact.error());
     const double mesh = double(technique.meshDepth());
-    double products = 0., squares = 0., errors = 0., count = 0.;
+    double errors = 0., count = 0.;
+    std::vector<Factor> factors;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!(*exact)[i].found)
             continue;
-        const double t = (*drawn)[i].found ? (*drawn)[i].t : 1., wanted = (*exact)[i].t;
-        products += (t - mesh) * (wanted - mesh), squares += (wanted - mesh) * (wanted - mesh);
-        errors += std::abs(t - wanted), count += 1.;
+        const double t = (*drawn)[i].found ? (*drawn)[i].t : 1., wanted = (*exact)[i].t - mesh;
+        errors += std::abs(t - mesh - wanted), count += 1.;
+        if (std::abs(wanted) > 1e-5)
+            factors.push_back({(t - mesh) / wanted, std::abs(wanted)});
     }
-    EngineDrawing drawing{.meanError = errors / std::max(count, 1.)};
-    if (squares > 1e-9 * count)
-        drawing.share = products / squares;
+    EngineDrawing drawing{.share = median(std::move(factors)), .meanError = errors / std::max(count, 1.)};
     if (technique.isEngine() && !technique.displaces)
         drawing.raised = double(parameters.midlevel - technique.zero);
     return drawing;

@@ -13,8 +13,9 @@ namespace relievo {
 inline constexpr double kEngineAngle = 70.; // degrees between view and normal, at which a sentence tells of it
 
 struct EngineDrawing {
-    // Of the depth: the least-squares factor from exact depths to those drawn, both counted from the height that the engine puts on its
-    // mesh. 1 where there is no depth to draw.
+    // Of the depth: the factor from exact depths to those drawn that leaves the least sum of absolute differences, so that rays which pass
+    // through a thin wall count in the error, not here. Both are counted from the height that the engine puts on its mesh. 1 where there is
+    // no depth to draw.
     double share = 1.;
     double meanError = 0.; // mean of |depth drawn - exact depth|, share of the depth, with that height where the exact answer has it
     // By how much the whole lies higher than the midlevel has it, since the engine puts another height on the mesh; share of the depth.
