@@ -134,7 +134,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file("surface/normals_none.glsl");
         else
             part.file(normalsFile(features.maps));
-        if (technique->searches && features.shadows)
+        if (technique->hasShadowsAndOutlines() && features.shadows)
             part.file(technique->isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
                 .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl")
                 .file(features.softShadows ? "shadow/shadow_soft.glsl" : "shadow/shadow_hard.glsl");
@@ -205,8 +205,8 @@ ProgramFeatures programFeatures(
     const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear)
 {
     const bool shadowed = view.light != ViewLight::None;
-    const bool searchedShadows = shadowed && parameters.shadows && technique.searches;
-    const bool curved = parameters.silhouettes != Silhouettes::Off && technique.searches;
+    const bool searchedShadows = shadowed && parameters.shadows && technique.hasShadowsAndOutlines();
+    const bool curved = parameters.silhouettes != Silhouettes::Off && technique.hasShadowsAndOutlines();
     ProgramFeatures features{.technique = std::string(technique.key),
         .view = std::string(view.key),
         .maps = maps,

@@ -16,9 +16,9 @@ struct TechniqueRow {
     std::string_view accelerationMap = {}; // row of kBakedMaps that it searches with, read through boundAt and its like; "" for none
     ParameterSet parameters = {}; // of those that are shown by technique, the ones that it reads
     std::string_view paper;
-    // The mesh is pushed out for the midlevel. Not where an engine draws: its mesh stays, and what it takes for zero lies on it.
+    // The mesh is pushed out for the midlevel. Not where an engine is not told the midlevel: what it takes for zero lies on its mesh.
     bool displaces = false;
-    bool searches = false; // runs along the ray, for shadows and silhouettes too; engines draw none by default
+    bool searches = false; // runs along the ray; else the picture is only shifted or not at all
     bool canMiss = false; // may return found == false
     bool isExact = false; // finds the true first hit of the bilinear surface
     bool readsNormals = true; // the relief shows in the light, even where the picture does not move
@@ -31,6 +31,7 @@ struct TechniqueRow {
 
     constexpr bool needsHeights() const { return maps.contains(MapKind::Height); }
     constexpr bool isEngine() const { return !engine.empty(); }
+    constexpr bool hasShadowsAndOutlines() const { return searches && !isEngine(); } // its search is asked for them; engines draw none
     // Depth below white of the mesh that is drawn, share.
     constexpr float meshDepth() const { return isEngine() && !displaces ? 1.f - zero : 0.f; }
     // What the technique list is divided by.

@@ -1,4 +1,4 @@
-// As PlayCanvas from 2.22 on draws parallax occlusion with heightMapBase 1 and parallaxSamples 16: a layer for each two texels of the way, then five
+// As PlayCanvas from 2.22 on draws parallax occlusion with heightMapBase the midlevel and parallaxSamples 16: a layer for each two texels of the way, then five
 // halvings. The slope is capped at 5, and where the way is shorter than three texels the relief fades out.
 // PlayCanvas 2.23, run: its texture coordinates are these to 0.0005.
 // SPDX-FileCopyrightText: The Relievo authors

@@ -2,6 +2,7 @@
 // own numbers (view vector, scale, ray height), over fields that slope and over edges.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exporters/exporters.h"
 #include "core/state/techniques.h"
 #include "core/trace/shader_on_cpu.h"
 #include "tests/core/trace/bilinear.h"
@@ -55,10 +56,10 @@ glm::dvec2 unity(const Pixel& p)
     return p.uv + (p.height(p.uv) * parallax - parallax / 2.) * p.aside() / (p.v.z + 0.42);
 }
 
-glm::dvec2 hdrp(const Pixel& p)
+glm::dvec2 hdrp(const Pixel& p, double least, double most)
 {
     const glm::dvec3 inUv = glm::normalize(glm::dvec3(p.aside() * p.depth, p.v.z));
-    const int steps = int(5. + (15. - 5.) * std::acos(inUv.z) * 2. / std::numbers::pi);
+    const int steps = int(least + (most - least) * std::acos(inUv.z) * 2. / std::numbers::pi);
     const double size = 1. / steps;
     const glm::dvec2 step = -glm::dvec2(inUv.x, inUv.y) / inUv.z * size;
     glm::dvec2 offset = step;
@@ -115,9 +116,9 @@ glm::dvec2 o3de(const Pixel& p, int steps)
     return p.uv + offset;
 }
 
-glm::dvec2 bevy(const Pixel& p)
+glm::dvec2 bevy(const Pixel& p, double most)
 {
-    const double layers = 16. + (1. - 16.) * std::abs(p.v.z), thick = 1. / layers;
+    const double layers = most + (1. - most) * std::abs(p.v.z), thick = 1. / layers;
     const glm::dvec2 delta = -p.depth * thick * p.aside() / std::abs(p.v.z);
     glm::dvec2 at = p.uv;
     double layer = 0., depth = 1. - p.height(at);
@@ -173,8 +174,9 @@ glm::dvec2 playcanvas(const Pixel& p)
 using Formula = glm::dvec2 (*)(const Pixel&);
 const std::map<std::string_view, Formula> kFormulas = {{"as-godot4", [](const Pixel& p) { return godotDeep(p, 8., 32.); }},
     {"as-godot3", [](const Pixel& p) { return godotDeep(p, 8., 32.); }}, {"as-godot4-simple", godotSimple}, {"as-unity-urp", unity},
-    {"as-unity-builtin", unity}, {"as-unity-hdrp", hdrp}, {"as-unreal", [](const Pixel& p) { return unreal(p, 8., 32.); }},
-    {"as-o3de", [](const Pixel& p) { return o3de(p, 32); }}, {"as-bevy", bevy}, {"as-babylon", babylon}, {"as-playcanvas", playcanvas}};
+    {"as-unity-builtin", unity}, {"as-unity-hdrp", [](const Pixel& p) { return hdrp(p, 8., 32.); }},
+    {"as-unreal", [](const Pixel& p) { return unreal(p, 8., 32.); }}, {"as-o3de", [](const Pixel& p) { return o3de(p, 32); }},
+    {"as-bevy", [](const Pixel& p) { return bevy(p, 32.); }}, {"as-babylon", babylon}, {"as-playcanvas", playcanvas}};
 
 // The ray that Relievo has of a pixel: duv is what the view moves by over the whole depth.
 SearchRay rayOf(const Pixel& p)
@@ -213,21 +215,36 @@ Pixel pixelAt(double degrees, double turn, glm::dvec2 uv, double depth, const He
 
 } // namespace
 
-TEST(Engines, EachHasAFormula)
+TEST(EngineTechniques, EachHasAFormula)
 {
     for (const TechniqueRow& row : kTechniques) {
         EXPECT_EQ(row.isEngine(), kFormulas.contains(row.key)) << row.key;
         EXPECT_EQ(row.isEngine(), row.key.starts_with("as-")) << row.key;
         if (row.isEngine()) { // no silhouettes, no shadows, the finest level
-            EXPECT_FALSE(row.searches || row.canMiss || row.isExact) << row.key;
+            EXPECT_FALSE(row.hasShadowsAndOutlines() || row.canMiss || row.isExact) << row.key;
             EXPECT_FALSE(row.parameters.contains(&Parameters::heightMips)) << row.key;
         }
     }
 }
 
+// What an export tells an engine of the zero is what the technique draws by.
+TEST(EngineTechniques, HaveTheZeroOfTheirExports)
+{
+    int found = 0;
+    for (const ExportRow& target : kExports)
+        if (!target.engine.technique.empty()) {
+            const TechniqueRow* technique = findTechnique(target.engine.technique);
+            ASSERT_TRUE(technique && technique->isEngine()) << target.key;
+            EXPECT_EQ(technique->displaces, target.engine.zeroIsFree) << target.key;
+            EXPECT_EQ(technique->zero, target.engine.zero) << target.key;
+            ++found;
+        }
+    EXPECT_EQ(found, 10); // all but Godot 4's simple one
+}
+
 // A crossing is at times found a layer earlier or later where single and double precision part: 1 ray in 500. Over many tiles precision
 // decides all, in the engine too: those rays are left out.
-TEST(Engines, DrawWhatTheirFormulasSay)
+TEST(EngineTechniques, DrawWhatTheirFormulasSay)
 {
     for (const auto& [key, formula] : kFormulas)
         for (const HeightField& field : kFields)
@@ -254,7 +271,7 @@ TEST(Engines, DrawWhatTheirFormulasSay)
 }
 
 // t is where the eye sees what is drawn: the ray has its uv there, counted from where white would lie.
-TEST(Engines, DepthIsWhereTheViewRayMeetsWhatIsDrawn)
+TEST(EngineTechniques, DepthIsWhereTheViewRayMeetsWhatIsDrawn)
 {
     for (const auto& [key, formula] : kFormulas) {
         const TechniqueRow& row = *findTechnique(key);
@@ -268,7 +285,7 @@ TEST(Engines, DepthIsWhereTheViewRayMeetsWhatIsDrawn)
 }
 
 // Of one height everywhere: the share of the depth that each engine's formula leaves, by hand.
-TEST(Engines, DrawTheDepthThatTheyLeave)
+TEST(EngineTechniques, DrawTheDepthThatTheyLeave)
 {
     const double h = 0.3, cosine = std::cos(70. * std::numbers::pi / 180.);
     const Pixel pixel = pixelAt(70., 1., {0.2, 0.7}, 0.05, kFields[2]);
@@ -287,7 +304,7 @@ TEST(Engines, DrawTheDepthThatTheyLeave)
     EXPECT_NEAR(hitOf("as-playcanvas", pixelAt(85., 0., {0.5, 0.5}, 0.05, fine)).t, 5. * steep / std::sqrt(1. - steep * steep), 0.02);
 }
 
-TEST(Engines, UnityHoldsTheDepthInItsRange)
+TEST(EngineTechniques, UnityHoldsTheDepthInItsRange)
 {
     const auto drawn = [](double depth) {
         const Pixel pixel = pixelAt(45., 0., {0.1, 0.1}, depth, kFields[2]);
@@ -298,7 +315,7 @@ TEST(Engines, UnityHoldsTheDepthInItsRange)
     EXPECT_NEAR(drawn(0.04) / drawn(0.01), 4., 1e-3);
 }
 
-TEST(Engines, StepsAreThoseThatAnExportWrites)
+TEST(EngineTechniques, StepsAreThoseThatAnExportWrites)
 {
     const HeightField ground(1, 1, {0.f});
     const auto fetches = [&](const char* key, double degrees, int least, int most) {
@@ -310,8 +327,9 @@ TEST(Engines, StepsAreThoseThatAnExportWrites)
     EXPECT_EQ(fetches("as-godot4", 60., 8, 32), 20 + 2);
     EXPECT_EQ(fetches("as-godot4", 60., 16, 64), 40 + 2);
     EXPECT_EQ(fetches("as-o3de", 60., 8, 32), 32 + 1);
-    EXPECT_EQ(fetches("as-o3de", 0., 8, 33), 64 + 1);
-    EXPECT_EQ(fetches("as-o3de", 0., 8, 500), 128 + 1);
+    EXPECT_EQ(fetches("as-o3de", 0., 1, 500), 32 + 1); // Medium, as exported
+    EXPECT_EQ(fetches("as-unity-hdrp", 0., 5, 15), 5 + 2); // and where the secant lands
     EXPECT_EQ(fetches("as-babylon", 60., 1, 1), 15);
     EXPECT_EQ(fetches("as-bevy", 0., 8, 32), 1 + 2);
+    EXPECT_EQ(fetches("as-bevy", 60., 8, 31), 16 + 2);
 }
