@@ -27,6 +27,7 @@ struct Plane {
     {
         State view = fillingView(state, angle);
         view.panes = {Pane{technique, {}}};
+        view.parameters.depth = 0.05f; // that Unity takes as it is
         return view;
     }
     Image shown(const State& view, const char* what) { return picture(renderer, view, resources, what, 96, 64); }

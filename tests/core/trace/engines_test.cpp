@@ -328,7 +328,7 @@ TEST(EngineTechniques, StepsAreThoseThatAnExportWrites)
     EXPECT_EQ(fetches("as-godot4", 60., 16, 64), 40 + 2);
     EXPECT_EQ(fetches("as-o3de", 60., 8, 32), 32 + 1);
     EXPECT_EQ(fetches("as-o3de", 0., 1, 500), 32 + 1); // Medium, as exported
-    EXPECT_EQ(fetches("as-unity-hdrp", 0., 5, 15), 5 + 2); // and where the secant lands
+    EXPECT_EQ(fetches("as-unity-hdrp", 0., 5, 15), 5 + 3); // to a layer below the ground, and where the secant lands
     EXPECT_EQ(fetches("as-babylon", 60., 1, 1), 15);
     EXPECT_EQ(fetches("as-bevy", 0., 8, 32), 1 + 2);
     EXPECT_EQ(fetches("as-bevy", 60., 8, 31), 16 + 2);
