@@ -45,7 +45,6 @@ SceneUniforms uniformsOf(const Frame& frame)
     SceneUniforms uniforms
         = sceneUniforms(frame.parameters, jittered(frame.request.camera(), target), frame.request.resources().mesh->metresPerUV);
     uniforms.pushOut = frame.technique.displaces ? (1.f - frame.parameters.midlevel) * uniforms.reliefDepth : 0.f;
-    uniforms.meshDepth = frame.technique.meshDepth();
     uniforms.heatScale = 1.f / heatRange(frame.parameters, frame.view);
     uniforms.sampleTurn = target.jitter.x;
     return uniforms;

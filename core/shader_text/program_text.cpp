@@ -7,6 +7,7 @@
 #include "core/shader_text/assembly.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
+#include <cmath>
 
 namespace relievo {
 
@@ -164,6 +165,8 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     part.file("surface/surface.glsl");
     variantFiles(part, features, ShaderPlace::Surface);
     part.generated(mapFunctions(features.maps, drafted->text));
+    const long hundredths = std::lround(100.f * technique->meshDepth()); // as whole numbers, which no locale writes otherwise
+    part.generated("const float meshDepth = " + std::to_string(hundredths) + ".0f / 100.0f;\n");
     viewRayFiles(part, *view, features);
     body(part);
     if (view->isHeat)

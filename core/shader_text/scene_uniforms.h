@@ -22,7 +22,6 @@ struct SceneUniforms {
     glm::vec2 textureShift{0.f};
     float reliefDepth = 0.f; // D, m
     float pushOut = 0.f; // how far the mesh is pushed out so that the midlevel lies on it, m
-    float meshDepth = 0.f; // of the mesh that is drawn, below white, share of the depth (TechniqueRow::meshDepth)
     float exposureFactor = 1.f; // 2^exposure
     float heatScale = 1.f; // of the view's value to [0, 1]
     glm::mat4 shadowFromWorld{1.f}; // clip space of the light's map
@@ -47,7 +46,6 @@ inline constexpr auto kSceneUniforms = std::to_array<SceneUniformRow>({
     {&SceneUniforms::textureShift, "textureShift"},
     {&SceneUniforms::reliefDepth, "reliefDepth"},
     {&SceneUniforms::pushOut, "pushOut"},
-    {&SceneUniforms::meshDepth, "meshDepth"},
     {&SceneUniforms::exposureFactor, "exposureFactor"},
     {&SceneUniforms::heatScale, "heatScale"},
     {&SceneUniforms::shadowFromWorld, "shadowFromWorld"},
