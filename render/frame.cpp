@@ -74,7 +74,7 @@ Expected<Frame> prepareFrame(DrawContext& context, const DrawRequest& request)
     Frame frame{.request = request,
         .technique = *technique,
         .view = *view,
-        .parameters = drawnParameters(state, request.pane(), *view),
+        .parameters = drawnParameters(state, request.pane(), *technique, *view),
         .acceleration = nullptr};
     const EnumSet<MapKind> maps = presentMaps(*resources.material);
     if ((technique->needsHeights() || view->isAgainstExact) && !maps.contains(MapKind::Height))

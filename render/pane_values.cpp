@@ -16,10 +16,10 @@ EnumSet<MapKind> presentMaps(const Material& material)
     return maps;
 }
 
-Parameters drawnParameters(const State& state, std::size_t pane, const ViewRow& view)
+Parameters drawnParameters(const State& state, std::size_t pane, const TechniqueRow& technique, const ViewRow& view)
 {
     Parameters parameters = effectiveParameters(state, pane);
-    if (view.isAgainstExact)
+    if (view.isAgainstExact || technique.isEngine())
         parameters.heightMips = false;
     return parameters;
 }

@@ -264,7 +264,7 @@ void addCompare(CLI::App& app, int& exitCode)
     CLI::App* command = app.add_subcommand("compare", "A contact sheet of techniques: pictures, error maps, figures");
     options->state.addTo(*command);
     options->common.addTo(*command);
-    command->add_option("--techniques", options->techniques, "Techniques to show, in this order; all when not given")
+    command->add_option("--techniques", options->techniques, "Techniques to show, in this order; when not given all but engines")
         ->type_name("KEY,KEY...")
         ->delimiter(',');
     options->state.addOutput(*command, "-o", options->out, "Contact sheet to write, .png")->required()->type_name("SHEET.png");

@@ -23,9 +23,9 @@ Table techniques()
 {
     Table table;
     for (const TechniqueRow& row : kTechniques)
-        table.push_back({{"key", row.key}, {"label", row.label}, {"maps", keysOf(row.maps)}, {"bound", row.accelerationMap},
-            {"parameters", keysOf(row.parameters)}, {"displaces", row.displaces}, {"searches", row.searches}, {"canMiss", row.canMiss},
-            {"isExact", row.isExact}, {"paper", row.paper}, {"help", row.help}});
+        table.push_back({{"key", row.key}, {"label", row.label}, {"group", row.group()}, {"maps", keysOf(row.maps)},
+            {"bound", row.accelerationMap}, {"parameters", keysOf(row.parameters)}, {"displaces", row.displaces},
+            {"searches", row.searches}, {"canMiss", row.canMiss}, {"isExact", row.isExact}, {"paper", row.paper}, {"help", row.help}});
     return table;
 }
 

@@ -19,7 +19,7 @@ struct Subject {
 // whole: with mesh and environment, for pictures. A material without a height map is an error.
 Result<Subject> openSubject(const StateOptions& options, bool whole, const Progress& progress);
 
-// The rows that `--techniques` names; all when empty. A wrong key is wrong usage.
+// The rows that `--techniques` names; all but engines' when empty. A wrong key is wrong usage.
 Result<std::vector<const TechniqueRow*>> techniquesOf(const std::vector<std::string>& keys);
 
 // Shaded pictures compared with that of the most exact setting, at one size. Needs a current context.

@@ -182,7 +182,7 @@ Expected<void> addHeats(
     float done = 0.f;
     for (const TechniqueRow* technique : techniques) {
         progress.at(done++ / float(techniques.size()));
-        if (!technique->displaces)
+        if (!technique->needsHeights())
             continue; // nothing is searched
         const SearchSetting setting = plainSetting(*technique, parameters);
         const auto heats = heatPictures(setting, subject.field.heights, report.heatView, Progress{{}, progress.stop});
@@ -193,6 +193,25 @@ Expected<void> addHeats(
         if (!fetches || !error)
             return tl::unexpected(fetches ? error.error() : fetches.error());
         report.heats.push_back({setting.label, std::move(*fetches), std::move(*error), heats->meanFetches, heats->meanError});
+    }
+    return {};
+}
+
+// The engines that are named, or all when no technique is, on every field.
+Expected<void> addEngines(const ReportOptions& options, const std::vector<Subject>& subjects, Report& report, const Progress& progress)
+{
+    for (std::size_t field = 0; field < subjects.size(); ++field) {
+        Parameters parameters = effectiveParameters(subjects[field].state, 0);
+        parameters.depth = float(subjects[field].field.depth);
+        for (const TechniqueRow& technique : kTechniques)
+            if (technique.isEngine() && (options.techniques.empty() || std::ranges::count(options.techniques, technique.key) > 0))
+                for (const double angle : kEngineAngles) {
+                    const auto drawing = drawnBy(technique, parameters, subjects[field].field.heights, angle, Progress{{}, progress.stop});
+                    if (!drawing)
+                        return tl::unexpected(drawing.error());
+                    report.engines.push_back({&technique, field, angle, *drawing});
+                }
+        progress.at(float(field + 1) / float(subjects.size()));
     }
     return {};
 }
@@ -237,10 +256,14 @@ Result<Report> measure(const ReportOptions& options)
         report.plan.fields.push_back(subject.field);
         report.warnings.insert(report.warnings.end(), subject.warnings.begin(), subject.warnings.end());
     }
-    auto rows = sweep(report.plan, progress.part(0.1f, options.noPictures ? 0.9f : 0.4f));
+    auto rows = sweep(report.plan, progress.part(0.1f, options.noPictures ? 0.85f : 0.35f));
     if (!rows)
         return problem(rows.error());
     report.rows = std::move(*rows);
+    if (const auto done
+        = addEngines(options, *subjects, report, progress.part(options.noPictures ? 0.85f : 0.35f, options.noPictures ? 0.9f : 0.4f));
+        !done)
+        return problem(done.error());
     if (!options.noPictures)
         if (const auto done = measurePictures(options, *subjects, report, progress.part(0.4f, 0.9f)); !done)
             return problem(done.error());
@@ -276,7 +299,8 @@ void addReport(CLI::App& app, int& exitCode)
         "Measure on the built-in hard height fields, alone or beside SOURCEs; pictures of four of them");
     command->add_option("MORE", options->more, "Further SOURCEs, measured together with the first")->type_name("");
     options->state.addOutput(*command, "-o", options->out, "Report to write: .html, .json or .csv")->required()->type_name("OUT");
-    command->add_option("--techniques", options->techniques, "Only these techniques; all when not given")
+    command
+        ->add_option("--techniques", options->techniques, "Only these techniques; when not given all, and engines in a table of their own")
         ->type_name("KEY,KEY...")
         ->delimiter(',');
     command

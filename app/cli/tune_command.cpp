@@ -291,7 +291,7 @@ void addTune(CLI::App& app, int& exitCode)
         ->check(CLI::Range(0., 100.))
         ->type_name("PCT");
     command->add_option("--max-fetches", options->maxFetches, "Most texture fetches a ray, mean of the bands")->type_name("N");
-    command->add_option("--techniques", options->techniques, "Only these techniques; all when not given")
+    command->add_option("--techniques", options->techniques, "Only these techniques; when not given all but engines")
         ->type_name("KEY,KEY...")
         ->delimiter(',');
     command->add_option("--rays", options->rays, "Rays in each band of angles; 2000 when not given")

@@ -38,7 +38,7 @@ Expected<HeatPictures> heatPictures(
     const std::vector<SearchRay> rays = raysOf(view);
     Parameters parameters = setting.parameters;
     parameters.depth = float(view.depth);
-    const auto hits = traceRays(setting.technique->key, parameters, &heights, rays, progress);
+    const auto hits = traceRays(setting.technique->key, parameters, &heights, atMesh(*setting.technique, rays), progress);
     if (!hits)
         return tl::unexpected(hits.error());
     const auto exact = traceRays("reference", parameters, &heights, rays, progress);

@@ -175,6 +175,15 @@ SearchRay rayAt(glm::dvec2 uv, double angle, double turn, double depth)
     return {asFloats(uv), asFloats({travel * std::cos(turn), travel * std::sin(turn)}), double(float(std::cos(radians)))};
 }
 
+std::vector<SearchRay> atMesh(const TechniqueRow& technique, std::span<const SearchRay> rays)
+{
+    std::vector<SearchRay> moved(rays.begin(), rays.end());
+    if (technique.meshDepth() > 0.f)
+        for (SearchRay& ray : moved)
+            ray.uv += ray.duv * double(technique.meshDepth());
+    return moved;
+}
+
 std::vector<SearchRay> bandRays(AngleBand band, double depth, int count, std::uint32_t seed)
 {
     return repeated(count, seed, [&](Random& random) {

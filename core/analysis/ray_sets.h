@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/state/techniques.h"
 #include "core/trace/ray.h"
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +25,9 @@ SearchRay rayAt(glm::dvec2 uv, double angle, double turn, double depth);
 
 // `count` rays, angle uniform in the band, azimuth and start uniform. Equal arguments give equal rays.
 std::vector<SearchRay> bandRays(AngleBand band, double depth, int count, std::uint32_t seed);
+
+// The same rays from where they meet the mesh that the technique draws on, if white lies where they begin (TechniqueRow::meshDepth).
+std::vector<SearchRay> atMesh(const TechniqueRow& technique, std::span<const SearchRay> rays);
 
 struct RaySetRow {
     std::string_view key;

@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/analysis/engine_drawing.h"
 #include "core/analysis/heat_pictures.h"
 #include "core/analysis/sweep.h"
 #include "core/mesh/frames/tangents.h"
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -42,6 +44,15 @@ struct MeshSection {
     std::optional<TangentDifference> tangents; // of the mesh file's own tangents, when it has any
 };
 
+// What an engine draws of one field, seen at `angle` degrees from the normal.
+struct EngineRow {
+    const TechniqueRow* technique; // never null
+    std::size_t field; // index
+    double angle;
+    EngineDrawing drawing;
+};
+inline constexpr std::array<double, 3> kEngineAngles = {30., 60., 80.};
+
 struct Report {
     std::string title; // the source's name
     SweepPlan plan;
@@ -55,6 +66,7 @@ struct Report {
     int pictureWidth = 0, pictureHeight = 0;
 
     MeshSection mesh;
+    std::vector<EngineRow> engines; // every technique and field at each of kEngineAngles
 
     std::string heatField;
     HeatView heatView;
@@ -64,13 +76,15 @@ struct Report {
 
 // One self-contained file: no script, nothing fetched.
 std::string reportHtml(const Report& report);
-// {"title", "conditions", "settings", "fields", "rays": [...], "totals": [...], "pictures": [...], "mesh", "warnings"}; percentages in
-// percent.
+// {"title", "conditions", "settings", "fields", "rays": [...], "totals": [...], "pictures": [...], "engines": [...], "mesh", "warnings"};
+// percentages in percent.
 std::string reportJson(const Report& report);
 // One line a setting, field and view: the rays of a band, or a picture at an angle; what does not apply is left empty. Where there are
-// several fields, lines of all of them together follow those of the rays. Last a line a row of the mesh: no technique, its label as
-// setting, the mesh as field, "mesh" as view, msRatio to the first of them; the tangents are not in it.
+// several fields, lines of all of them together follow those of the rays. Then engines, "engine 30" as view. Last a line a row of the mesh:
+// no technique, its label as setting, the mesh as field, "mesh" as view, msRatio to the first of them; the tangents are not in it.
 std::string reportCsv(const Report& report);
+// The page's table of engines, means over the fields; "" when there are none.
+std::string enginesHtml(const Report& report);
 
 // Three significant digits without an exponent: "0", "0.0312", "28.4", "1240".
 std::string figure(double value);

@@ -52,6 +52,13 @@ constexpr MeshColumn kMeshColumns[] = {
     {"invalidPixels", [](const MeshRow& r) { return r.invalid; }},
 };
 
+struct EngineColumn {
+    const char* key;
+    double EngineDrawing::*of;
+};
+constexpr EngineColumn kEngineColumns[]
+    = {{"depthDrawn", &EngineDrawing::share}, {"meanError", &EngineDrawing::meanError}, {"tooHigh", &EngineDrawing::raised}};
+
 std::string number(double value)
 {
     char buffer[40];
@@ -105,6 +112,19 @@ nlohmann::ordered_json rayLines(const Report& report, std::span<const SweepRow> 
     return lines;
 }
 
+nlohmann::ordered_json engineLines(const Report& report)
+{
+    auto lines = nlohmann::ordered_json::array();
+    for (const EngineRow& row : report.engines) {
+        nlohmann::ordered_json line{{"technique", row.technique->key}, {"engine", row.technique->engine},
+            {"field", fieldKey(report, row.field)}, {"degrees", row.angle}};
+        for (const EngineColumn& column : kEngineColumns)
+            line[column.key] = row.drawing.*column.of;
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 // Nothing where one field is all there is.
 std::vector<SweepRow> totalsOf(const Report& report)
 {
@@ -152,6 +172,7 @@ std::string reportJson(const Report& report)
             line[column.key] = row.*column.of;
         json["pictures"].push_back(std::move(line));
     }
+    json["engines"] = engineLines(report);
     if (const MeshSection& mesh = report.mesh; !mesh.name.empty()) {
         json["mesh"] = {{"name", mesh.name}, {"displacedTriangles", mesh.triangles}, {"depthMetres", mesh.depth}, {"views", mesh.views},
             {"width", mesh.width}, {"height", mesh.height}, {"rows", nlohmann::ordered_json::array()}};
@@ -179,6 +200,8 @@ std::string reportCsv(const Report& report)
         text += std::string(",") + column.key;
     for (const PictureColumn& column : kPictureColumns)
         text += std::string(",") + column.key;
+    for (const EngineColumn& column : kEngineColumns)
+        text += std::string(",") + column.key;
     for (const MeshColumn& column : kMeshColumns)
         text += std::string(",") + column.key;
     text += '\n';
@@ -193,19 +216,28 @@ std::string reportCsv(const Report& report)
         text += names(row.setting, row.field) + "rays " + number(band.from) + '-' + number(band.to);
         for (const Column& column : kRayColumns)
             text += ',' + number(column.of(row));
-        text += std::string(std::size(kPictureColumns) + std::size(kMeshColumns), ',') + '\n';
+        text += std::string(std::size(kPictureColumns) + std::size(kEngineColumns) + std::size(kMeshColumns), ',') + '\n';
     }
     for (const PictureRow& row : report.pictures) {
         text += names(row.setting, row.field) + "picture " + number(report.angles[row.angle]);
         text += std::string(std::size(kRayColumns), ',');
         for (const PictureColumn& column : kPictureColumns)
             text += ',' + number(row.*column.of);
+        text += std::string(std::size(kEngineColumns) + std::size(kMeshColumns), ',') + '\n';
+    }
+    for (const EngineRow& row : report.engines) {
+        text += std::string(row.technique->key) + ',' + quoted(std::string(row.technique->label)) + ','
+            + quoted(fieldKey(report, row.field)) + ",engine " + number(row.angle)
+            + std::string(std::size(kRayColumns) + std::size(kPictureColumns), ',');
+        for (const EngineColumn& column : kEngineColumns)
+            text += ',' + number(row.drawing.*column.of);
         text += std::string(std::size(kMeshColumns), ',') + '\n';
     }
     for (const MeshRow& row : report.mesh.rows) {
         text += ',' + quoted(row.label) + ',' + quoted(report.mesh.name) + ",mesh" + std::string(std::size(kRayColumns), ',');
         for (const PictureColumn& column : kPictureColumns)
             text += column.of == &PictureRow::ratio && std::isfinite(row.ratio) ? ',' + number(row.ratio) : ",";
+        text += std::string(std::size(kEngineColumns), ',');
         for (const MeshColumn& column : kMeshColumns)
             text += ',' + number(column.of(row));
         text += '\n';

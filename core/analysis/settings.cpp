@@ -139,7 +139,7 @@ Expected<std::vector<const TechniqueRow*>> techniquesNamed(std::span<const std::
             rows.push_back(row);
     }
     for (const TechniqueRow& row : kTechniques)
-        if (keys.empty() && !row.file.empty())
+        if (keys.empty() && isChoice(row))
             rows.push_back(&row);
     return rows;
 }

@@ -40,7 +40,7 @@ State withSetting(const State& state, const SearchSetting& setting);
 // The value of every parameter of the search that the setting's technique lists, "minSteps=32 maxSteps=32 refineSteps=6".
 std::string parametersText(const SearchSetting& setting);
 
-// The techniques that keys name; all with a shader file when there are none. Errors: an unknown key, reference.
+// The techniques that keys name; all with a shader file but engines' (isChoice) when there are none. Errors: an unknown key, reference.
 Expected<std::vector<const TechniqueRow*>> techniquesNamed(std::span<const std::string> keys);
 
 } // namespace relievo

@@ -110,7 +110,7 @@ private:
             return tl::unexpected(maps.error());
         for (std::size_t band = 0; band < m_questions.size(); ++band) {
             const auto& [rays, exact] = m_questions[band];
-            const auto hits = traceRays(technique.key, parameters, (*maps)->maps, rays, quiet());
+            const auto hits = traceRays(technique.key, parameters, (*maps)->maps, atMesh(technique, rays), quiet());
             if (!hits)
                 return tl::unexpected(hits.error());
             m_rows.push_back(

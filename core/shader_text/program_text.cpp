@@ -7,6 +7,7 @@
 #include "core/shader_text/assembly.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
+#include <cmath>
 
 namespace relievo {
 
@@ -134,7 +135,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file("surface/normals_none.glsl");
         else
             part.file(normalsFile(features.maps));
-        if (technique->searches && features.shadows)
+        if (technique->hasShadowsAndOutlines() && features.shadows)
             part.file(technique->isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
                 .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl")
                 .file(features.softShadows ? "shadow/shadow_soft.glsl" : "shadow/shadow_hard.glsl");
@@ -164,6 +165,8 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     part.file("surface/surface.glsl");
     variantFiles(part, features, ShaderPlace::Surface);
     part.generated(mapFunctions(features.maps, drafted->text));
+    const long hundredths = std::lround(100.f * technique->meshDepth()); // as whole numbers, which no locale writes otherwise
+    part.generated("const float meshDepth = " + std::to_string(hundredths) + ".0f / 100.0f;\n");
     viewRayFiles(part, *view, features);
     body(part);
     if (view->isHeat)
@@ -205,8 +208,8 @@ ProgramFeatures programFeatures(
     const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear)
 {
     const bool shadowed = view.light != ViewLight::None;
-    const bool searchedShadows = shadowed && parameters.shadows && technique.searches;
-    const bool curved = parameters.silhouettes != Silhouettes::Off && technique.searches;
+    const bool searchedShadows = shadowed && parameters.shadows && technique.hasShadowsAndOutlines();
+    const bool curved = parameters.silhouettes != Silhouettes::Off && technique.hasShadowsAndOutlines();
     ProgramFeatures features{.technique = std::string(technique.key),
         .view = std::string(view.key),
         .maps = maps,

@@ -2,31 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/state/map_slots.h"
-#include "core/state/parameters.h"
+#include "core/state/technique_row.h"
 #include <algorithm>
 #include <array>
 #include <string_view>
 
 namespace relievo {
-
-struct TechniqueRow {
-    std::string_view key;
-    std::string_view label;
-    std::string_view file = {}; // under shaders/, "" for the CPU-only reference
-    EnumSet<MapKind> maps = {}; // that it cannot do without
-    std::string_view accelerationMap = {}; // row of kBakedMaps that it searches with, read through boundAt and its like; "" for none
-    ParameterSet parameters = {}; // of those that are shown by technique, the ones that it reads
-    std::string_view paper;
-    bool displaces = false; // the picture moves: the mesh is pushed out for the midlevel
-    bool searches = false; // runs along the ray (so it can cast shadows); else the picture is only shifted or not at all
-    bool canMiss = false; // may return found == false
-    bool isExact = false; // finds the true first hit of the bilinear surface
-    bool readsNormals = true; // the relief shows in the light, even where the picture does not move
-    std::string_view help;
-
-    constexpr bool needsHeights() const { return maps.contains(MapKind::Height); }
-};
 
 inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
     {.key = "flat",
@@ -190,6 +171,114 @@ inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
         .searches = true,
         .isExact = true,
         .help = "Exact, with fewer fetches than the pyramid: leaps by boxes and cones of four nested nodes, cells solved in closed form."},
+    {.key = "as-godot4",
+        .label = "As Godot 4",
+        .file = "techniques/as-godot4.glsl",
+        .maps = {MapKind::Height},
+        .parameters = {&Parameters::minSteps, &Parameters::maxSteps},
+        .paper = "Godot 4.6, StandardMaterial3D with deep parallax; compared with the engine",
+        .searches = true,
+        .help
+        = "Layers and one interpolation, not divided by V.z: the depth drawn shrinks with the cosine of the angle. White lies on the mesh. "
+          "With mipmaps on the height map Godot adds jumps at outlines of the relief (0.005 of UV for a pixel in a hundred, 0.6 at worst).",
+        .engine = "Godot 4"},
+    {.key = "as-godot4-simple",
+        .label = "As Godot 4, simple",
+        .file = "techniques/as-godot4-simple.glsl",
+        .maps = {MapKind::Height},
+        .paper = "Godot 4.6, StandardMaterial3D without deep parallax; compared with the engine",
+        .help = "One step by the height under the point, not divided by V.z. White lies on the mesh. With mipmaps Godot reads blurred "
+                "heights where the texture is far.",
+        .engine = "Godot 4 without deep parallax"},
+    {.key = "as-godot3",
+        .label = "As Godot 3",
+        .file = "techniques/as-godot3.glsl",
+        .maps = {MapKind::Height},
+        .parameters = {&Parameters::minSteps, &Parameters::maxSteps},
+        .paper = "Godot 3.2.3, SpatialMaterial with deep parallax; its shader text",
+        .searches = true,
+        .help
+        = "The formula of Godot 4's deep parallax; the depth texture is the height map turned over. Mipmaps add what they add in Godot 4.",
+        .engine = "Godot 3"},
+    {.key = "as-unity-urp",
+        .label = "As Unity URP",
+        .file = "techniques/as-unity-urp.glsl",
+        .maps = {MapKind::Height},
+        .paper = "Unity Universal Render Pipeline, Lit (ParallaxOffset1Step); by its published formula",
+        .help = "One step by the height under the point, divided by V.z + 0.42. Mid-grey lies on the mesh; depths are held within 0.005 "
+                "and 0.08 of the tile. With mipmaps Unity reads blurred heights where the texture is far.",
+        .engine = "Unity URP",
+        .zero = 0.5f},
+    {.key = "as-unity-builtin",
+        .label = "As Unity built-in",
+        .file = "techniques/as-unity-builtin.glsl",
+        .maps = {MapKind::Height},
+        .paper = "Unity built-in pipeline, Standard (ParallaxOffset1Step); by its published formula",
+        .help = "The formula of Unity URP: one step, mid-grey on the mesh, depths held within 0.005 and 0.08 of the tile. With mipmaps "
+                "Unity reads blurred heights where the texture is far.",
+        .engine = "Unity's built-in pipeline",
+        .zero = 0.5f},
+    {.key = "as-unity-hdrp",
+        .label = "As Unity HDRP",
+        .file = "techniques/as-unity-hdrp.glsl",
+        .maps = {MapKind::Height},
+        .parameters = {&Parameters::minSteps, &Parameters::maxSteps},
+        .paper = "Unity High Definition Render Pipeline, Lit with pixel displacement (PerPixelDisplacement); by its published formula",
+        .searches = true,
+        .help = "Layers by the slope of the ray in the texture (Unity proposes 5 to 15), then up to three secant steps, right to 0.01 of "
+                "the depth. White lies on the mesh. Unity fades the relief out where it is far (Fading Mip Level Start).",
+        .engine = "Unity HDRP"},
+    {.key = "as-unreal",
+        .label = "As Unreal",
+        .file = "techniques/as-unreal.glsl",
+        .maps = {MapKind::Height},
+        .parameters = {&Parameters::minSteps, &Parameters::maxSteps},
+        .paper = "Unreal material function ParallaxOcclusionMapping; by its published formula",
+        .displaces = true,
+        .searches = true,
+        .help = "Layers and one interpolation, divided by V.z. The Reference Plane is the midlevel. Unreal reads coarser mip levels where "
+                "the texture is far, chosen before the search.",
+        .engine = "Unreal"},
+    {.key = "as-o3de",
+        .label = "As O3DE",
+        .file = "techniques/as-o3de.glsl",
+        .maps = {MapKind::Height},
+        .paper = "O3DE Standard PBR, parallax algorithm POM, quality Medium (AdvancedParallaxMapping); by its published formula",
+        .searches = true,
+        .help = "32 layers whatever the angle (Quality: Medium) and one interpolation. White lies on the mesh (offset 0). O3DE reads "
+                "coarser mip levels where the texture is far, chosen before the search.",
+        .engine = "O3DE"},
+    {.key = "as-bevy",
+        .label = "As Bevy",
+        .file = "techniques/as-bevy.glsl",
+        .maps = {MapKind::Height},
+        .parameters = {&Parameters::maxSteps},
+        .paper = "Bevy, ParallaxMappingMethod::Occlusion; by its published formula",
+        .searches = true,
+        .help = "1 layer seen from straight above to the most steps at grazing views (Bevy proposes 16), and one interpolation. White lies "
+                "on the mesh. Bevy reads the finest mip level, as here.",
+        .engine = "Bevy"},
+    {.key = "as-babylon",
+        .label = "As Babylon",
+        .file = "techniques/as-babylon.glsl",
+        .maps = {MapKind::Height},
+        .paper = "Babylon 9.35, parallax occlusion; compared with the engine",
+        .searches = true,
+        .help = "15 layers of more than 15 that the depth has: the deepest part is cut off flat, at 0.58 of the depth seen from straight "
+                "above, at 0.80 at 70 degrees. White lies on the mesh. With mipmaps Babylon errs at outlines of the relief (0.004 of UV "
+                "for a pixel in a hundred at 70 degrees).",
+        .engine = "Babylon"},
+    {.key = "as-playcanvas",
+        .label = "As PlayCanvas",
+        .file = "techniques/as-playcanvas.glsl",
+        .maps = {MapKind::Height},
+        .paper = "PlayCanvas 2.23 (from 2.22 on), parallax occlusion with 16 samples; compared with the engine",
+        .displaces = true,
+        .searches = true,
+        .help
+        = "Layers of two texels, 16 at most, then five halvings; slopes over 5 are cut, and relief of less than three texels' way fades "
+          "out. The base is the midlevel. PlayCanvas reads coarser mip levels where the texture is far, with fewer layers there.",
+        .engine = "PlayCanvas"},
     {.key = "reference",
         .label = "Reference",
         .maps = {MapKind::Height},
@@ -201,6 +290,12 @@ inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
 });
 
 const TechniqueRow* findTechnique(std::string_view key); // nullptr when unknown
+
+// Whether the technique takes part where none is named: all that a shader draws, but for engines'.
+constexpr bool isChoice(const TechniqueRow& technique)
+{
+    return !technique.file.empty() && !technique.isEngine();
+}
 
 // The row of a key that the program itself names; a key that is none does not compile.
 consteval const TechniqueRow& knownTechnique(std::string_view key)

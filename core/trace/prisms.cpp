@@ -63,8 +63,8 @@ Expected<Prisms> Prisms::make(std::string_view technique, const Parameters& para
     machine.wrap = machine.heightMap->wrap();
     machine.maps = &impl->maps, machine.texels = impl->texels.data(), machine.search = textSearch(row.file);
     machine.trianglesStart = int(impl->texels.front().x);
-    if (!machine.search || !row.searches)
-        return failure(std::string(technique), "this technique does not search, so it has no silhouettes", "Take another");
+    if (!machine.search || !row.hasShadowsAndOutlines())
+        return failure(std::string(technique), "this technique has no silhouettes", "Take another");
     Prisms prisms;
     prisms.m = impl;
     return prisms;

@@ -11,7 +11,7 @@ Surface searched(Surface surface)
 {
     Ray ray = viewRay(surface.frame, surface.toEye, surface.depth);
     surface.hit = trace(ray);
-    surface.point = position - surface.toEye * (surface.depth / ray.cosView * surface.hit.t);
+    surface.point = position - surface.toEye * (surface.depth / ray.cosView * (surface.hit.t - meshDepth));
     return surface;
 }
 

@@ -6,6 +6,7 @@
 Exact exactAlong(Surface surface)
 {
     Ray ray = viewRay(surface.start, surface.toEye, surface.depth);
+    ray.uv -= ray.duv * meshDepth; // from where white would lie
     float t = exactDepth(ray);
     Hit hit = Hit(ray.uv + ray.duv * t, t, t < 1.0f || endsOnFloor(ray), 0);
     return Exact(!isPastOutline(hit), surface.hit.t - (t - bendFrom(t).x));

@@ -133,7 +133,8 @@ TEST_F(LookTest, CaptionsOfferTechniquesInGroupsAndViews)
     QMenu menu;
     fillTechniques(menu, "relief", [](const TechniqueRow&) {});
     const auto headings = std::ranges::count_if(menu.actions(), [](QAction* a) { return !a->isSeparator() && !a->isEnabled(); });
-    EXPECT_EQ(headings, 4);
+    EXPECT_EQ(headings, 5);
+    EXPECT_NE(menu.findChild<QAction*>("as-godot4"), nullptr);
     EXPECT_TRUE(menu.findChild<QAction*>("relief")->isChecked());
 }
 

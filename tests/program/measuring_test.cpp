@@ -192,6 +192,41 @@ TEST(Measuring, TuneProvesWhatItChooses)
     EXPECT_TRUE(run.out.starts_with(tuned["setting"].get<std::string>())) << run.out;
 }
 
+TEST(Measuring, EnginesHaveATableOfTheirOwn)
+{
+    TestFolder folder("engines");
+    const auto report = [&](const std::string& options) {
+        const ProgramRun run
+            = runRelievo("report " + kSource + "--no-pictures --rays 20 --quiet " + options + " -o " + (folder / "r.json"));
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return json::parse(*relievo::readText(folder / "r.json"));
+    };
+    const json all = report("");
+    EXPECT_EQ(all["engines"].size(), 11u * 3u); // at 30, 60 and 80 degrees
+    for (const json& line : all["engines"]) {
+        EXPECT_TRUE(line["technique"].get<std::string>().starts_with("as-")) << line;
+        EXPECT_GT(line["meanError"].get<double>(), 0.) << line;
+    }
+    for (const json& setting : all["settings"])
+        EXPECT_FALSE(setting["technique"].get<std::string>().starts_with("as-")) << setting;
+    const json one = report("--techniques as-godot4-simple,flat");
+    EXPECT_EQ(one["engines"].size(), 3u);
+    EXPECT_EQ(one["settings"].size(), 2u); // measured like any other too
+    EXPECT_NEAR(one["engines"][0]["degrees"].get<double>(), 30., 0.);
+    EXPECT_LT(one["engines"][2]["depthDrawn"], one["engines"][0]["depthDrawn"]);
+}
+
+TEST(Measuring, EnginesAreTunedOnlyByName)
+{
+    ProgramRun run = runRelievo("tune " + kSource + "--rays 20 --max-error 1 --max-missed 100 --json");
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    for (const json& tried : json::parse(run.out)["tried"])
+        EXPECT_FALSE(tried["technique"].get<std::string>().starts_with("as-"));
+    run = runRelievo("tune " + kSource + "--rays 20 --max-error 1 --max-missed 100 --json --techniques as-bevy");
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["technique"], "as-bevy");
+}
+
 TEST(Measuring, TuneOnPictures)
 {
     for (const char* metric : {"pixels --max-error 4", "flip --max-error 0.2"}) {

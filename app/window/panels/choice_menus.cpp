@@ -11,15 +11,6 @@ namespace {
 constexpr std::string_view kViewKeys = "1234567890-=";
 static_assert(kViewKeys.size() >= kViews.size(), "a view without key");
 
-QString kindOfSearch(const TechniqueRow& row)
-{
-    if (row.isExact)
-        return QObject::tr("Exact");
-    if (!row.accelerationMap.empty())
-        return QObject::tr("Search with a baked map");
-    return row.searches ? QObject::tr("Search in steps") : QObject::tr("No search");
-}
-
 // The keys of a row as a menu shows them. A shortcut of the item itself would make that of the window ambiguous.
 template <typename Row>
 void addChoice(QMenu& menu, const Row& row, const QKeySequence& keys, const std::string& current, std::function<void(const Row&)> chosen)
@@ -58,11 +49,10 @@ void fillTechniques(QMenu& menu, const std::string& current, const std::function
     menu.setToolTipsVisible(true);
     const QVector<const TechniqueRow*> rows = drawnTechniques();
     for (int i = 0; i < rows.size(); ++i) {
-        const QString kind = kindOfSearch(*rows[i]);
-        if (i == 0 || kind != kindOfSearch(*rows[i - 1])) {
+        if (i == 0 || rows[i]->group() != rows[i - 1]->group()) {
             if (i > 0)
                 menu.addSeparator();
-            menu.addAction(kind)->setEnabled(false); // a heading: sections of the style lose their texts to the style sheet
+            menu.addAction(qt(rows[i]->group()))->setEnabled(false); // a heading: sections of the style lose their texts to the style sheet
         }
         addChoice(menu, *rows[i], techniqueKeys(i), current, chosen);
     }

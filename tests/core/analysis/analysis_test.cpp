@@ -48,6 +48,8 @@ Report reportOf(const SweepPlan& plan)
             for (std::size_t a = 0; a < 2; ++a)
                 report.pictures.push_back(
                     {s, f, a, 2., 1.5 + double(s), s ? 40. : std::numeric_limits<double>::infinity(), 0.01 * double(s)});
+    for (const double angle : kEngineAngles)
+        report.engines.push_back({findTechnique("as-godot4"), 0, angle, {0.5, 0.125, 0.25}});
     report.heatField = "Needles";
     report.heats = {{"Relief", {std::byte(1), std::byte(2)}, {std::byte(0xff)}, 12., 0.01}};
     report.warnings = {{"test", "Look <here>"}};
@@ -111,7 +113,9 @@ TEST(Settings, TechniquesByName)
 {
     const std::vector<std::string> some = {"relief", "flat", "relief"};
     EXPECT_EQ(techniquesNamed(some)->size(), 2u);
-    EXPECT_EQ(techniquesNamed({})->size(), std::size_t(std::ranges::count_if(kTechniques, [](const auto& r) { return !r.file.empty(); })));
+    EXPECT_EQ(techniquesNamed({})->size(),
+        std::size_t(std::ranges::count_if(kTechniques, [](const auto& r) { return !r.file.empty() && !r.isEngine(); })));
+    EXPECT_EQ(techniquesNamed(std::vector<std::string>{"as-godot4"})->front()->key, "as-godot4"); // engines only by name
     EXPECT_FALSE(techniquesNamed(std::vector<std::string>{"magic"}));
     EXPECT_FALSE(techniquesNamed(std::vector<std::string>{"reference"}));
 }
@@ -290,6 +294,10 @@ TEST(Report, JsonHoldsEveryRow)
     EXPECT_EQ(json["rays"][5]["overshootPercent"].get<double>(), 100. * row.errors.share(row.errors.tooDeep));
     EXPECT_TRUE(json["pictures"][0]["psnr"].is_null()); // equal pictures
     EXPECT_EQ(json["pictures"].back()["degrees"], 75.);
+    ASSERT_EQ(json["engines"].size(), 3u);
+    EXPECT_EQ(json["engines"][1],
+        (nlohmann::json{{"technique", "as-godot4"}, {"engine", "Godot 4"}, {"field", "needles"}, {"degrees", 60.}, {"depthDrawn", 0.5},
+            {"meanError", 0.125}, {"tooHigh", 0.25}}));
 }
 
 TEST(Sweep, BytesFollowWhatAFetchReturns)
@@ -321,7 +329,8 @@ TEST(Report, CsvIsRectangular)
         columns = lines++ ? columns : commas;
         EXPECT_EQ(commas, columns) << line;
     }
-    EXPECT_EQ(lines, 1 + report.rows.size() + report.pictures.size() + report.mesh.rows.size());
+    EXPECT_EQ(lines, 1 + report.rows.size() + report.pictures.size() + report.engines.size() + report.mesh.rows.size());
+    EXPECT_NE(reportCsv(report).find("as-godot4,As Godot 4,needles,engine 60,"), std::string::npos);
 }
 
 TEST(Report, CsvHoldsTheMesh)
@@ -366,6 +375,8 @@ TEST(Report, HtmlIsWholeAndSelfContained)
     EXPECT_EQ(plots, 4u + 4u + 2u); // RMSE and wrong hits in each band, FLIP at each angle
     for (const SearchSetting& setting : report.plan.settings)
         EXPECT_NE(html.find(setting.label), html.npos);
+    EXPECT_NE(html.find("<h2>As engines draw it</h2>"), html.npos);
+    EXPECT_NE(html.find("<td>As Godot 4</td><td class='first'>50.0</td><td>0.125</td>"), html.npos);
 }
 
 TEST(Report, AxesHoldEveryPoint)

@@ -112,7 +112,7 @@ TEST(Bend, OthersFollowTheBend)
     Parameters fine;
     fine.minSteps = fine.maxSteps = 512, fine.refineSteps = 12, fine.leapSteps = 2048, fine.provenStep = true, fine.lastBracket = true;
     for (const TechniqueRow& row : kTechniques)
-        if (row.searches && !row.file.empty() && row.key != "relief-fixed" && row.key != "sphere") {
+        if (row.hasShadowsAndOutlines() && !row.file.empty() && row.key != "relief-fixed" && row.key != "sphere") {
             const Tally tally = searched(row.key, fine, 2);
             const Tally straight = searched(row.key, fine, 2, false);
             EXPECT_LE(tally.wrong, straight.wrong + tally.rays / 50) << row.key << ", straight " << straight.wrong;
@@ -126,7 +126,8 @@ TEST(Bend, RaysThatLeaveAreMissed)
     SearchRay ray{{0.1, 0.2}, {0.7, 0.4}, 0.5};
     ray.bend = {0., 0., 1.}; // depth t - t^2, at most a quarter
     for (const TechniqueRow& row : kTechniques)
-        if (row.searches && !row.file.empty() && row.key != "cone" && row.key != "cone-quad") { // those stop short and call it a hit
+        if (row.hasShadowsAndOutlines() && !row.file.empty() && row.key != "cone"
+            && row.key != "cone-quad") { // those stop short and call it a hit
             Parameters parameters;
             parameters.leapSteps = 400, parameters.lastBracket = true;
             const auto hits = traceRays(row.key, parameters, &low, std::vector<SearchRay>{ray});

@@ -157,6 +157,8 @@ TEST(Techniques, EveryRowWithAFileRunsOnTheCpu)
         ASSERT_TRUE(hits) << row.key;
         const double wanted = row.maps.empty() ? 0. : 0.75;
         EXPECT_TRUE(hits->front().found);
+        if (row.isEngine())
+            continue; // the depth that engines draw: tests/core/trace/engines_test.cpp
         // Most papers' searches are right to a step of theirs only (1/32 of the depth here).
         EXPECT_NEAR(hits->front().t, wanted, row.isExact ? 1e-6 : 1. / 32.) << row.key;
     }
