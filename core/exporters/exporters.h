@@ -91,7 +91,7 @@ struct EngineFacts {
     std::string_view limits = {}; // what it gets wrong, in sentences; "" for nothing
 };
 
-// Written by code of its own (`code`, `codeWrites`), or by a text: resources/exports/KEY.tpl, or a user's file.
+// Written by code of its own (`code`, `codeWrites`), or by a text: one of resources/exports, named by the key, or a user's file.
 struct ExportRow {
     std::string_view key;
     std::string_view label;
@@ -297,6 +297,10 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
 });
 
 const ExportRow* findExport(std::string_view key); // nullptr when unknown
+
+// What the engine will draw of the material, measured: "Godot 4 will draw 66 % less depth at 70 degrees; mean error 0.11 of the depth". ""
+// where no technique stands for it or there are no heights. About 0.05 s for 2048 x 2048 heights.
+std::string drawingTold(const ExportRow& row, const ExportJob& job);
 
 // The names of the files that a folder holds, with NAME for the material's; none of targets that write a file of any name.
 std::vector<std::string> namesInFolder(const ExportRow& row);

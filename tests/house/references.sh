@@ -61,6 +61,8 @@ text == "" { next }
         rest = substr(rest, RSTART + RLENGTH)
         if (rest ~ /^[A-Za-z0-9_]/ || name ~ /\/\// || before ~ /<$/) # .html, an address, <a header of the system>
             continue
+        if (name ~ /^(NAME|KEY)\./ || name == "Babylon.js" || name == "three.js") # of any name, a program that is called so
+            continue
         path = found(name)
         if (path == "")
             complain(name (ends[name] > 1 ? " could be several files: name its folder" : " is not in the repository"))

@@ -14,12 +14,12 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShowEvent>
-#include <QTimer>
 #include <QVBoxLayout>
 
 namespace relievo {
 namespace {
 constexpr int kResultHeight = 96; // px, of what is told under the form
+constexpr int kMeasuredAfter = 200; // ms after the last change
 constexpr int kToldFor = 30000; // ms that a success stands in the message line
 } // namespace
 
@@ -30,6 +30,7 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     , m_background(this)
     , m_form(new ExportForm(document))
     , m_which(new QLabel)
+    , m_drawing(new QLabel)
     , m_result(new QLabel)
     , m_export(new QPushButton(tr("Export")))
     , m_cancel(new QPushButton(tr("Cancel")))
@@ -38,6 +39,13 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     setWindowTitle(tr("Export"));
     setObjectName("export");
     m_which->setObjectName("which");
+    m_drawing->setObjectName("drawing");
+    m_drawing->setWordWrap(true);
+    m_drawing->setFont(smallFont());
+    m_drawing->setFixedHeight(2 * QFontMetrics(m_drawing->font()).lineSpacing()); // what is below stays where it is
+    m_drawing->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_measuring.setSingleShot(true);
+    m_measuring.setInterval(kMeasuredAfter);
     m_result->setWordWrap(true);
     m_result->setObjectName("result");
     m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -68,12 +76,19 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     layout->setSpacing(4 * kGrid);
     layout->addWidget(m_form);
     layout->addWidget(m_which);
+    layout->addWidget(m_drawing);
     layout->addWidget(results);
     layout->addStretch(1);
     layout->addWidget(hairline());
     layout->addLayout(buttons);
 
     connect(m_form, &ExportForm::edited, m_result, &QWidget::hide); // it was of another name or target
+    connect(m_form, &ExportForm::edited, &m_measuring, qOverload<>(&QTimer::start));
+    connect(&document, &Document::changed, this, [this] {
+        if (isVisible())
+            m_measuring.start();
+    });
+    connect(&m_measuring, &QTimer::timeout, this, &ExportDialog::showDrawing);
     connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::stop);
     connect(&document, &Document::changed, this, &ExportDialog::showWhich);
     connect(&document, &Document::started, this, &ExportDialog::documentStarted);
@@ -104,6 +119,14 @@ void ExportDialog::showWhich()
         m_which->setText(tr("Picture A (%1) is exported.").arg(qt(technique->label)));
 }
 
+void ExportDialog::showDrawing()
+{
+    const bool ready = m_assets.ready() && m_assets.upToDate() && m_assets.resources().material && m_assets.resources().mesh;
+    const QString told
+        = ready ? QString::fromStdString(drawingTold(m_form->target(), {m_document.state(), m_assets.resources(), {}, 0, {}})) : QString();
+    m_drawing->setText(told.isEmpty() ? told : told + '.');
+}
+
 void ExportDialog::setTarget(int row)
 {
     m_form->setTarget(row);
@@ -130,6 +153,7 @@ void ExportDialog::showEvent(QShowEvent* event)
     if (!busy() && !event->spontaneous()) {
         m_result->hide(); // of the last time
         m_form->propose();
+        m_measuring.start();
     }
     QDialog::showEvent(event);
 }

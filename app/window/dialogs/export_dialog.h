@@ -5,6 +5,7 @@
 #include "app/window/document/assets.h"
 #include "core/exporters/exporters.h"
 #include <QDialog>
+#include <QTimer>
 
 class QLabel;
 class QProgressBar;
@@ -41,11 +42,13 @@ private:
     void stop();
     void tell(const Expected<Exported>& result);
     void showWhich();
+    void showDrawing(); // what the engine will draw
     const Document& m_document;
     const Assets& m_assets;
     Background m_background;
+    QTimer m_measuring; // when the hand rests
     ExportForm* m_form;
-    QLabel *m_which, *m_result;
+    QLabel *m_which, *m_drawing, *m_result;
     QPushButton *m_export, *m_cancel;
     QProgressBar* m_progress;
 };

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/engines/engine_export.h"
+#include "core/analysis/engine_drawing.h"
 #include "core/exporters/engines/shader_words.h"
 #include "core/exporters/engines/template_values.h"
 #include "core/exporters/map_images.h"
@@ -37,6 +38,18 @@ Expected<void> checkName(const std::string& name, const std::string& where)
         return failure(
             where, '"' + name + "\" is no name of a file in the folder that is exported to", "Name it without .. and without a / in front");
     return {};
+}
+
+std::string drawingTold(const ExportRow& row, const WrittenHeights& heights, const Parameters& parameters, const Progress& progress)
+{
+    const TechniqueRow* const technique = findTechnique(row.engine.technique);
+    if (!technique || !heights.field)
+        return {};
+    Parameters written = parameters;
+    written.depth *= heights.span;
+    written.midlevel = std::clamp(heights.midlevel(parameters), 0.f, 1.f);
+    const Expected<EngineDrawing> drawing = drawnBy(*technique, written, *heights.field, kEngineAngle, progress);
+    return drawing ? sentence(*technique, *drawing) : std::string();
 }
 
 class TextExport {
@@ -228,6 +241,8 @@ private:
         }
         if (!material.map(MapKind::Normal) && m_job.cures.contains(Cure::Normals))
             told.push_back({"normal-made", "The normal map was made from the height map at the material's depth."});
+        if (const std::string drawing = drawingTold(m_row, m_heights, m_parameters, m_job.progress); !drawing.empty())
+            told.push_back({"engine-drawing", drawing + '.'});
         tellDepth(told);
         tellBits(told);
         if (m_parameters.rotation != 0.f && !says("rotation"))
@@ -299,6 +314,12 @@ Expected<Exported> exportByText(const ExportRow& row, const ExportJob& job)
     if (auto named = target.nameTextures().and_then([&] { return target.fillTexts(); }); !named)
         return tl::unexpected(named.error());
     return target.write();
+}
+
+std::string drawingTold(const ExportRow& row, const ExportJob& job)
+{
+    const Parameters parameters = parametersOf(job);
+    return drawingTold(row, writtenHeights(job, parameters), parameters, job.progress);
 }
 
 std::vector<fs::path> filesOfText(const ExportRow& row, const ExportJob& job)

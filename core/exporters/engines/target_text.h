@@ -51,7 +51,7 @@ struct TargetText {
 // line, or the member, and what would be right. `isOwn`: the JSON tells the row as well (key from the file's name).
 Expected<TargetText> parseTarget(const std::string& text, const std::string& where, bool isOwn);
 
-// The text of a row that code does not write; of the program's own, resources/exports/KEY.tpl.
+// The text of a row that code does not write; of the program's own one of resources/exports, named by the key.
 const TargetText& textOf(const ExportRow& row);
 
 // A user's target: .json or .tpl. Kept until the program ends, so that the row may be used like those of kExports.

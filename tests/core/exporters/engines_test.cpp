@@ -125,7 +125,7 @@ TEST_F(Engines, EachWritesWhatItSaysWithAllMapsAndWithHeightsAlone)
     EXPECT_NE(textOfFile(m_folder / "godot4_all" / "OldWallü.tres").find(R"(resource_name = "Old \"wall\" \\ ü")"), std::string::npos);
 }
 
-// D = depth x tile size; what each engine makes of its number is the right side, from exports.md's formulas.
+// D = depth x tile size; what each engine makes of its number is the right side, from its published formula.
 TEST_F(Engines, TheDepthArrivesInEachEnginesNumber)
 {
     make(0.f, 1.f);

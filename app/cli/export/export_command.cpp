@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-#include "app/cli/export_batch.h"
+#include "app/cli/export/export_batch.h"
 #include "core/exporters/engines/target_text.h"
 #include "core/exporters/exporters.h"
 #include "core/exporters/map_images.h"

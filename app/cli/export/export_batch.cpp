@@ -1,7 +1,7 @@
 // Batches: sources found, outputs remembered, processes run.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/export_batch.h"
+#include "app/cli/export/export_batch.h"
 #include "core/exporters/map_images.h"
 #include "core/ground/file.h"
 #include "core/ground/hash.h"
