@@ -8,7 +8,6 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 relievo=$1 build=$2 data=$3 out=$2/clients/godot3
 . "$here/exports/tools.sh"
 needs godot3 xvfb-run -- godot3 xvfb
-export LANG=en_US.UTF-8 LC_ALL=en_US.UTF-8 # it knows no locale C
 export XDG_CONFIG_HOME=$out/home XDG_DATA_HOME=$out/home XDG_CACHE_HOME=$out/home
 rm -rf "$out"
 "$here/exports/write.sh" "$relievo" "$out/project/plain" "$data" godot3
@@ -17,8 +16,8 @@ cp "$here"/godot3/* "$out/project"
 mkdir -p "$out/home"
 wanted=$(find "$out/project" -name '*.png' | wc -l)
 imported() { find "$out/project/.import" -name '*.md5' 2>/dev/null | wc -l; }
-# The editor imports the pictures by their .import files, and does not end by itself.
-timeout 200 xvfb-run -a godot3 -e -q --path "$out/project" --video-driver GLES2 --audio-driver Dummy >"$out/import.log" 2>&1 &
+# The editor imports the pictures by their .import files, and does not end by itself. It knows no locale C.
+timeout 200 xvfb-run -a env -u LC_ALL LANG=en_US.UTF-8 godot3 -e -q --path "$out/project" --video-driver GLES2 --audio-driver Dummy >"$out/import.log" 2>&1 &
 editor=$!
 while kill -0 $editor 2>/dev/null && [ "$(imported)" -lt "$wanted" ]; do
   sleep 1
@@ -32,7 +31,7 @@ if [ "$(imported)" -lt "$wanted" ]; then
   exit 1
 fi
 status=0
-timeout 100 xvfb-run -a godot3 --path "$out/project" -s check.gd --video-driver GLES2 --audio-driver Dummy >"$out/check.log" 2>&1 || status=$?
+timeout 100 xvfb-run -a env -u LC_ALL LANG=en_US.UTF-8 godot3 --path "$out/project" -s check.gd --video-driver GLES2 --audio-driver Dummy >"$out/check.log" 2>&1 || status=$?
 grep -E '^(FAULT|Godot [0-9])|^(SCRIPT )?ERROR' "$out/check.log" || status=1
 grep -qE '^(SCRIPT )?ERROR' "$out/check.log" && status=1
 exit $status

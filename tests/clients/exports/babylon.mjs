@@ -43,6 +43,7 @@ export async function run(job, canvas, h) {
     const ramp = new BABYLON.RawTexture(data, n, n, BABYLON.Constants.TEXTUREFORMAT_RGBA, scene, false, true,
       BABYLON.Texture.BILINEAR_SAMPLINGMODE, BABYLON.Constants.TEXTURETYPE_FLOAT);
     ramp.gammaSpace = false;
+    ramp.anisotropicFilteringLevel = 1;
     for (const key of ['uScale', 'vScale', 'uOffset', 'vOffset', 'uRotationCenter', 'vRotationCenter', 'wrapU', 'wrapV']) ramp[key] = m.bumpTexture[key];
     m.albedoTexture = ramp;
     m.albedoColor = BABYLON.Color3.White();
