@@ -39,6 +39,8 @@ def uvs(relievo, job, engine, folder, shot, picture, out):
     uv, eye, inside = formulas.geometry(shot, argparse.Namespace(**job))
     inside &= picture[..., 2] > 0.5
     rays = told.rays(uv[inside], eye[inside])
+    if engine == "playcanvas":  # its midlevel lies on the mesh, the others' white: the ray comes in from above
+        rays[:, :2] -= (1 - told.midlevel) * rays[:, 2:4]
     found = engine_uvs.traced_rays(relievo, heights_of(folder, engine, out), "as-" + engine, rays)
     error, _ = engine_uvs.difference(picture[inside][:, :2].astype(float), found, 1.5 / 256)
     moved = np.linalg.norm(found - rays[:, :2], axis=-1)

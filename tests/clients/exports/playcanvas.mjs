@@ -12,6 +12,7 @@ export async function run(job, canvas, h) {
   const app = new pc.AppBase(canvas);
   app.init(options);
   app.setCanvasResolution(pc.RESOLUTION_FIXED, job.size, job.size);
+  app.autoRender = false; // only what is read is drawn
   app.start();
   const mesh = new pc.Mesh(device); // u along +X, v along +Z: v down
   mesh.setPositions([-0.5, 0, -0.5, 0.5, 0, -0.5, 0.5, 0, 0.5, -0.5, 0, 0.5]);
@@ -38,7 +39,10 @@ export async function run(job, canvas, h) {
   const draw = async (shot) => {
     camera.setPosition(...h.eye(shot));
     camera.lookAt(0, 0, 0);
-    await h.frames(4);
+    for (let i = 0; i < 2; ++i) { // the first may still be without a texture
+      app.renderNextFrame = true;
+      await h.frames(2);
+    }
     return colour.read(0, 0, job.size, job.size, { renderTarget: target, immediate: true });
   };
   const { data, n } = h.ramp();
