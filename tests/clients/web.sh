@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The modules exported for Babylon, PlayCanvas and three.js run in headless Chromium and draw what was promised: web.sh RELIEVO BUILD DATA [ENGINE...].
+# The modules exported for Babylon, PlayCanvas and three run in headless Chromium and draw what was promised: web.sh RELIEVO BUILD DATA [ENGINE...].
 # Prints the figures. The engines are npm packages, installed into the build folder once; exits 77 (skipped) when that is not possible.
 # SPDX-FileCopyrightText: The Relievo authors
 # SPDX-License-Identifier: GPL-3.0-or-later
