@@ -16,6 +16,7 @@ export function material(BABYLON, scene, folder = "") {
     texture.vOffset = {{offsetVFlipped}};
     texture.wrapU = texture.wrapV = BABYLON.Texture.{{#repeat}}WRAP{{/repeat}}{{^repeat}}CLAMP{{/repeat}}_ADDRESSMODE;
     texture.uRotationCenter = texture.vRotationCenter = 0;
+    if (!mips) texture.anisotropicFilteringLevel = 1;
     return texture;
   };
   const m = new BABYLON.PBRMaterial("{{title}}", scene);
@@ -47,7 +48,7 @@ export function material(BABYLON, scene, folder = "") {
   m.emissiveIntensity = {{emission}};
   {{/emissive}}
   {{#bump}}
-  m.bumpTexture = picture("{{bump.file}}", false); // its alpha is the height; mip levels would spoil the march
+  m.bumpTexture = picture("{{bump.file}}", false); // its alpha is the height; mip levels and averages along the view would spoil the march
   m.bumpTexture.level = 1; // anything else changes the march
   m.useParallax = true;
   m.useParallaxOcclusion = {{#searches}}true{{/searches}}{{^searches}}false{{/searches}};

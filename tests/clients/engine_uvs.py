@@ -42,9 +42,8 @@ def web(report, uvs, shot):
     return uv, v, got, inside & np.isfinite(got).all(-1), 1.5 / 256
 
 
-def traced(relievo, height, technique, uv, v, scale):
-    """The UVs that the technique fetches, one a pixel."""
-    rays = np.concatenate([uv, -v[:, :2] / v[:, 2:] * scale, v[:, 2:]], -1)
+def traced_rays(relievo, height, technique, rays):
+    """The UVs that the technique fetches, one a ray of u, v, du, dv, cosView."""
     with tempfile.TemporaryDirectory() as name:
         rays_file, hits_file = os.path.join(name, "rays.csv"), os.path.join(name, "hits.csv")
         np.savetxt(rays_file, rays, delimiter=",", header="u,v,du,dv,cosView", comments="", fmt="%.9g")
@@ -52,15 +51,25 @@ def traced(relievo, height, technique, uv, v, scale):
         return np.loadtxt(hits_file, delimiter=",", skiprows=1)[:, 2:4]
 
 
+def traced(relievo, height, technique, uv, v, scale):
+    """The same, one a pixel: uv, V and the depth in UV."""
+    return traced_rays(relievo, height, technique, np.concatenate([uv, -v[:, :2] / v[:, 2:] * scale, v[:, 2:]], -1))
+
+
+def difference(got, found, border):
+    """Lengths of the differences in UV and which pixels they are of: not those where a ramp wraps within a texel."""
+    away = got - found
+    away -= np.round(away)
+    clear = np.all(np.abs(found - np.round(found)) > border, -1)
+    return np.linalg.norm(away, axis=-1)[clear], clear
+
+
 def main():
     relievo, height, technique, scale, report = sys.argv[1:6]
     report = pathlib.Path(report)
     uv, v, got, seen, border = web(report, sys.argv[6], int(sys.argv[7])) if len(sys.argv) > 6 else godot(report)
     found = traced(relievo, height, technique, uv[seen], v[seen], float(scale))
-    away = got[seen] - found
-    away -= np.round(away)
-    clear = np.all(np.abs(found - np.round(found)) > border, -1)  # a ramp wraps within a texel: not those pixels
-    error = np.linalg.norm(away, axis=-1)[clear]
+    error, clear = difference(got[seen], found, border)
     moved = np.linalg.norm(found - uv[seen], axis=-1)[clear]
     good = np.mean(error < 0.001)
     print(f"{technique}: {error.size} pixels, median {np.median(error):.6f}, p99 {np.percentile(error, 99):.6f}, largest {error.max():.4f}, "

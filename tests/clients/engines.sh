@@ -50,4 +50,5 @@ for engine in babylon playcanvas; do
     compare as-$engine 0.05 "$out/$engine.json" "$out/$engine.$shot.npy" $shot
   done
 done
+grep -hoE '^(Godot|babylon|playcanvas) [^ ,]+' "$out"/*.log | sort -u
 exit $failed

@@ -17,5 +17,6 @@ async function check(file) {
   let errors = 0;
   for (const file of process.argv.slice(2))
     errors += await check(file);
+  console.log(`gltf-validator ${validator.version()}: ${process.argv.length - 2} files, ${errors} errors`);
   process.exit(errors === 0 && process.argv.length > 2 ? 0 : 1);
 })();

@@ -187,13 +187,29 @@ float WrittenHeights::coarseness(const Parameters& parameters) const
     return isFine ? parameters.depth * span / 255.f * float(field->width()) : 0.f;
 }
 
+namespace {
+// As large as it is written: maps are baked of the heights that lie beside them.
+HeightField asLargeAsWritten(const HeightField& field, int size)
+{
+    const Image small = reduced(heightImage(field, 32), size, Averaging::Plain);
+    if (small.width == field.width() && small.height == field.height())
+        return field;
+    std::vector<float> heights;
+    heights.reserve(small.texelCount());
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x)
+            heights.push_back(asStored(std::clamp(small.value(x, y, 0), 0.f, 1.f), 16));
+    return HeightField(small.width, small.height, std::move(heights), field.wrap(), std::max(field.storedBits(), 16));
+}
+} // namespace
+
 WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters)
 {
     WrittenHeights written{job.resources.material->height};
     if (!written.field)
         return written;
-    written.field = written.field->withWrap(parameters.wrap);
     written.isFine = written.field->storedBits() > 8;
+    written.field = asLargeAsWritten(*written.field, job.size).withWrap(parameters.wrap);
     if (!job.cures.contains(Cure::FullRange))
         return written;
     const auto [low, high] = std::ranges::minmax(written.field->texels());

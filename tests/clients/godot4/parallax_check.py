@@ -61,9 +61,10 @@ def read_camera(text):
     return v[:9].reshape(3, 3), v[9:]  # Rows of the basis (columns are the axes), origin.
 
 
-def geometry(shot, camera):
-    """Per pixel: uv on the plane, V in (+u, +v, normal), inside."""
+def geometry(shot, camera, lift=0.0):
+    """Per pixel: uv on the plane, V in (+u, +v, normal), inside. lift: m that the plane is moved up by."""
     basis, eye = read_camera(camera)
+    eye = eye - [0, lift, 0]
     n = int(shot["size"])
     t = np.tan(np.radians(shot["fov"]) / 2)
     x = ((np.arange(n) + 0.5) / n * 2 - 1) * t

@@ -29,7 +29,8 @@ const server = http.createServer((request, reply) => {
   }
   const file = url === '/' ? path.join(here, 'page.html')
     : url === '/job.json' ? jobFile
-    : url === '/adapter.mjs' ? path.join(here, job.engine + '.mjs')
+    : url === '/adapter.mjs' ? job.adapter ?? path.join(here, job.engine + '.mjs')
+    : url.startsWith('/export/') && job.exports ? path.join(job.exports, path.normalize(decodeURIComponent(url.slice(8))))
     : url.startsWith('/lib/') ? path.join(lib, name)
     : url.startsWith('/material/') ? path.join(out, name) : '';
   if (name === 'favicon.ico') { reply.writeHead(204).end(); return; }

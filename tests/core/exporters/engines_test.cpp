@@ -187,6 +187,42 @@ TEST_F(Engines, HeightsUseTheirFullRangeAndTheRestGoesIntoTheNumbers)
     EXPECT_NEAR(readImage(m_folder / "plain/m_height.png")->image.value(63, 63, 0), 0.75f, 1e-4f);
 }
 
+// What an exact search leaps by must hold for the very heights that it reads: those of the smaller picture.
+TEST_F(Engines, BoundsAreThoseOfTheHeightsBesideThem)
+{
+    make(0.25f, 0.75f);
+    m_state.name = "m";
+    m_state.panes.front().technique = "cell-cone";
+    std::vector<float> rough(64 * 64);
+    for (std::size_t i = 0; i < rough.size(); ++i)
+        rough[i] = 0.1f + 0.7f * float((i * 7919u) % 1021u) / 1021.f;
+    auto material = std::make_shared<Material>();
+    material->height = HeightField(64, 64, rough, Wrap::Repeat, 16);
+    m_resources.material = material;
+    ExportJob small = job(m_folder / "small");
+    small.size = 32;
+    ASSERT_TRUE(findExport("godot4-shader")->run(small));
+
+    // The heights that were written, taken as they are, have the same map.
+    const Image bytes = readImage(m_folder / "small/m_height_bytes.png")->image;
+    ASSERT_EQ(bytes.width, 32);
+    std::vector<float> written;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+            written.push_back((std::round(bytes.value(x, y, 0) * 255.f) * 256.f + std::round(bytes.value(x, y, 1) * 255.f)) / 65535.f);
+    EXPECT_EQ(*std::ranges::min_element(written), 0.f);
+    EXPECT_EQ(*std::ranges::max_element(written), 1.f);
+    material = std::make_shared<Material>();
+    material->height = HeightField(32, 32, written, Wrap::Repeat, 16);
+    m_resources.material = material;
+    ASSERT_TRUE(run("godot4-shader", "whole"));
+    for (const char* file : {"m_bound_high.png", "m_bound_low.png", "m_height_bytes.png"}) {
+        const Image one = readImage(m_folder / "small" / file)->image, other = readImage(m_folder / "whole" / file)->image;
+        EXPECT_EQ(one.width, other.width) << file;
+        EXPECT_EQ(one.data, other.data) << file;
+    }
+}
+
 TEST_F(Engines, WhatAnEngineGetsWrongIsTold)
 {
     make(0.f, 1.f);

@@ -130,14 +130,15 @@ func make_ramp(material: Material, ramp: Texture2D, shot: Dictionary) -> Materia
 		if name == "":
 			say("error", "no albedo sampler found in the shader: say which one with --uv-param")
 		material.set_shader_parameter(name, ramp)
-		var code: String = material.shader.code
+		# Averages along the view would mix the turns of the ramps.
+		var code: String = material.shader.code.replace("filter_linear_mipmap_anisotropic", "filter_linear")
 		if not RegEx.create_from_string("\\bunshaded\\b").search(code):
-			material.shader = Shader.new()
 			if code.contains("render_mode "):
-				material.shader.code = code.replace("render_mode ", "render_mode unshaded, ")
+				code = code.replace("render_mode ", "render_mode unshaded, ")
 			else:
-				material.shader.code = code.replace("shader_type spatial;",
-						"shader_type spatial; render_mode unshaded;")
+				code = code.replace("shader_type spatial;", "shader_type spatial; render_mode unshaded;")
+		material.shader = Shader.new()
+		material.shader.code = code
 	return material
 
 
