@@ -18,11 +18,11 @@ async function settled(page, drawn) {
 }
 const picture = async (page) => Buffer.from(await page.screenshot()).toString('base64');
 
-async function dragged(page, key, selector) {
-  const from = await page.evaluate((name) => {
+async function dragged(page, key, selector, at) {
+  const from = await page.evaluate((name, at) => {
     const box = document.querySelector(name).getBoundingClientRect();
-    return {x: box.x + box.width / 2, y: box.y + box.height / 3};
-  }, selector);
+    return {x: box.x + box.width * at, y: box.y + box.height / 3};
+  }, selector, at);
   if (key) await page.keyboard.down(key);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
@@ -40,8 +40,9 @@ async function tryControls(page, name) {
     check(after !== before, `${name}: ${what} changes nothing`);
     before = after;
   };
-  await changes('a drag', () => dragged(page, null, '#canvas'));
-  await changes('Shift and a drag', () => dragged(page, 'Shift', '#canvas'));
+  await changes('a drag', () => dragged(page, null, '#canvas', 0.2));
+  await changes('Shift and a drag', () => dragged(page, 'Shift', '#canvas', 0.2));
+  await changes('the divider', () => dragged(page, null, '#wipe', 0.5));
   await changes('the wheel', () => page.mouse.wheel({deltaY: 300}));
 }
 
