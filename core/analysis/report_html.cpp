@@ -4,6 +4,7 @@
 #include "core/analysis/report.h"
 #include "core/analysis/report_plot.h"
 #include "core/analysis/report_style.h"
+#include "core/ground/base64.h"
 #include "core/trace/shader_on_cpu.h"
 #include <algorithm>
 #include <array>
@@ -17,21 +18,6 @@ namespace {
 
 // Below these, errors are drawn and printed as none: float rounding, and less than a ray in the whole set.
 constexpr double kRmseFloor = 1e-5, kPercentFloor = 0.01, kFlipFloor = 1e-4;
-
-std::string base64(std::span<const std::byte> bytes)
-{
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(bytes.size() / 3 * 4 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        unsigned group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (i + k < bytes.size() ? std::to_integer<unsigned>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63u] : '=';
-    }
-    return text;
-}
 
 // As it was given: "60", "89.9".
 std::string degrees(double value)

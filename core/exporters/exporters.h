@@ -113,9 +113,11 @@ Expected<void> refuseToOverwriteSources(const ExportJob& job, const std::filesys
 Expected<Exported> exportGltf(const ExportJob& job);
 Expected<Exported> exportTextures(const ExportJob& job);
 Expected<Exported> exportPreset(const ExportJob& job);
+Expected<Exported> exportWeb(const ExportJob& job);
 std::vector<std::filesystem::path> filesOfGltf(const ExportJob& job);
 std::vector<std::filesystem::path> filesOfTextures(const ExportJob& job);
 std::vector<std::filesystem::path> filesOfPreset(const ExportJob& job);
+std::vector<std::filesystem::path> filesOfWeb(const ExportJob& job);
 
 inline constexpr auto kExports = std::to_array<ExportRow>({
     {.key = "gltf",
@@ -136,6 +138,13 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
         .code = exportPreset,
         .codeWrites = filesOfPreset,
         .help = "The material's parameters without its files, to be laid on other materials."},
+    {.key = "web",
+        .label = "Web page",
+        .suffix = ".html",
+        .code = exportWeb,
+        .codeWrites = filesOfWeb,
+        .help = "One file that a browser draws, also from disk and without a network: mesh, maps and the techniques of both panes to be "
+                "turned, lit and wiped between. Take textures of 512 or 1024."},
     {.key = "godot4",
         .label = "Godot 4",
         .engine = {.version = "4.6, run",

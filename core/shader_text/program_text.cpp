@@ -143,7 +143,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file("shadow/shadow_none.glsl");
         part.file(features.objectShadows ? "shadow/shadow_map.glsl" : "shadow/shadow_map_none.glsl");
         if (view->light == ViewLight::All) {
-            part.file(features.exported ? "shading/ambient.glsl" : "shading/environment.glsl");
+            part.file(features.exported && !features.panorama ? "shading/ambient.glsl" : "shading/environment.glsl");
             variantFiles(part, features, ShaderPlace::Light);
         }
         part.file(features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
@@ -267,21 +267,23 @@ Expected<std::string> searchForGodot(const TechniqueRow& technique, bool clamps,
     return part.file(technique.file).body();
 }
 
-Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read)
+Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read, Dialect dialect)
 {
-    Assembly fragment(read);
+    Assembly fragment(read, dialect);
     if (behind == Backdrop::Gradient) {
         fragment.file("output/display.glsl")
             .generated(
                 linear ? "vec3 shownColor(vec3 color) { return color; }" : "vec3 shownColor(vec3 color) { return encodeSrgb(color); }");
-        return program(Assembly(read).file("vertex/background_vertex.glsl").finish(), fragment.file("output/gradient.glsl").finish());
+        return program(
+            Assembly(read, dialect).file("vertex/background_vertex.glsl").finish(), fragment.file("output/gradient.glsl").finish());
     }
     fragment.file("shading/environment.glsl");
     if (linear)
         fragment.generated("vec3 shownColor(vec3 color) { return color; }");
     else
         fragment.file("output/display.glsl").generated("vec3 shownColor(vec3 color) { return toDisplay(color); }");
-    return program(Assembly(read).file("vertex/background_vertex.glsl").finish(), fragment.file("output/background.glsl").finish());
+    return program(
+        Assembly(read, dialect).file("vertex/background_vertex.glsl").finish(), fragment.file("output/background.glsl").finish());
 }
 
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)

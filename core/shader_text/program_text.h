@@ -38,6 +38,7 @@ struct ProgramFeatures {
     bool onMesh = false; // the error view compares with the displaced mesh (ExactDistances)
     bool clamps = false; // an exact search ends at the tile's borders
     bool exported = false; // for other programs to run: see exportedFeatures
+    bool panorama = false; // exported with the environment as the renderer has it, instead of light by formula
     Dialect dialect = Dialect::Desktop; // of what is exported
     std::array<std::uint8_t, kParameters.size()> variants = {}; // which of its shader files each parameter chooses (ParameterRow::shader)
     auto operator<=>(const ProgramFeatures&) const = default;
@@ -77,7 +78,7 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 
 // The programs of the renderer, GLSL 4.10.
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
-Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read);
+Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
 // Runs the technique's search on rays in textures (`trace --device gl`).
 Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect = Dialect::Desktop);

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/uploads/textures.h"
+#include "core/image/environment_cube.h"
 #include "core/maps/surface/normal.h"
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
 #include <limits>
 #include <tbb/blocked_range.h>
@@ -86,58 +86,14 @@ Texture uploadImage(const Image& image, bool isColor)
     return texture;
 }
 
-namespace {
-// Direction of a cube map's texel, OpenGL's face order and orientation; a, b in [-1, 1].
-glm::vec3 cubeDirection(int face, float a, float b)
-{
-    switch (face) {
-    case 0:
-        return {1.f, -b, -a};
-    case 1:
-        return {-1.f, -b, a};
-    case 2:
-        return {a, 1.f, b};
-    case 3:
-        return {a, -1.f, -b};
-    case 4:
-        return {a, -b, 1.f};
-    default:
-        return {-a, -b, -1.f};
-    }
-}
-
-// Bilinear read of an equirectangular level (environment.h's orientation).
-glm::vec3 equirect(const std::vector<glm::vec3>& level, int width, glm::vec3 direction)
-{
-    constexpr float pi = 3.14159265f;
-    direction = glm::normalize(direction);
-    const int height = width / 2;
-    const float x = (std::atan2(direction.x, -direction.z) / (2.f * pi) + 0.5f) * float(width) - 0.5f;
-    const float y = std::acos(std::clamp(direction.y, -1.f, 1.f)) / pi * float(height) - 0.5f;
-    const float fx = x - std::floor(x), fy = y - std::floor(y);
-    const auto at = [&](int i, int j) {
-        return level[std::size_t(wrapIndex(j, height, Wrap::Clamp)) * std::size_t(width) + std::size_t(wrapIndex(i, width, Wrap::Repeat))];
-    };
-    const int i = int(std::floor(x)), j = int(std::floor(y));
-    return (at(i, j) * (1.f - fx) + at(i + 1, j) * fx) * (1.f - fy) + (at(i, j + 1) * (1.f - fx) + at(i + 1, j + 1) * fx) * fy;
-}
-
-} // namespace
-
 Texture uploadEnvironment(const Environment& environment)
 {
     Texture texture = newTexture();
     glBindTexture(GL_TEXTURE_CUBE_MAP, *texture);
     for (int level = 0; level < kEnvironmentLevels; ++level) {
-        const int size = kEnvironmentWidth / 4 >> level;
-        std::vector<glm::vec3> pixels(std::size_t(size) * std::size_t(size));
+        const int size = cubeSize(level);
         for (int face = 0; face < 6; ++face) {
-            for (int y = 0; y < size; ++y)
-                for (int x = 0; x < size; ++x) {
-                    const float a = 2.f * (float(x) + 0.5f) / float(size) - 1.f, b = 2.f * (float(y) + 0.5f) / float(size) - 1.f;
-                    pixels[std::size_t(y * size + x)]
-                        = equirect(environment.levels[std::size_t(level)], kEnvironmentWidth >> level, cubeDirection(face, a, b));
-                }
+            const std::vector<glm::vec3> pixels = cubeFace(environment, level, face);
             glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(face), level, GL_RGB16F, size, size, 0, GL_RGB, GL_FLOAT, pixels.data());
         }
     }

@@ -1,4 +1,4 @@
-# Writes each of FILES (resources/exports/*.tpl) as a C++ string into OUT.
+# Writes each of FILES (resources/exports) as a C++ string into OUT.
 set(out "// Generated from resources/exports by embed_targets.cmake.\n#include \"core/exporters/engines/embedded_targets.h\"\nnamespace relievo {\nconst std::vector<EmbeddedTarget>& embeddedTargets()\n{\n    static const std::vector<EmbeddedTarget> targets = {\n")
 foreach(file IN LISTS FILES)
   file(READ "${file}" text)

@@ -1,0 +1,31 @@
+// What a web page holds of the large data, as JSON: pictures as PNG, numbers in base64.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "core/image/environment.h"
+#include "core/image/image.h"
+#include "core/maps/acceleration/acceleration_map.h"
+#include "core/mesh/mesh.h"
+#include <nlohmann/json.hpp>
+
+namespace relievo {
+
+using WebJson = nlohmann::ordered_json;
+
+// Whole numbers of 16 bits, which browsers cut to 8 in one PNG: of each channel a grey PNG of the high bytes and one of the low ones.
+// {width, height, channels, planes}. Errors: those of the encoder.
+Expected<WebJson> webPlanes(const Image& image);
+
+// 8 bits a channel: {png, channels, srgb}.
+Expected<WebJson> webPicture(const Image& image, bool srgb);
+
+// The finest level: webPlanes with `sampler`, the name in shaders, and the slices of a volume.
+Expected<WebJson> webBound(const AccelerationMap& map);
+
+// Positions, normals and uvs as 32-bit floats, indices of 16 or 32 bits, those of parts with relief first: {relief: how many}.
+WebJson webMesh(const Mesh& mesh, const std::vector<char>& isPlain);
+
+// Faces of each level, one after the other, as half floats: {side, levels, halves}.
+WebJson webEnvironment(const Environment& environment);
+
+} // namespace relievo
