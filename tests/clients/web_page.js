@@ -1,4 +1,4 @@
-// Opens exported pages from disk in headless Chromium: node web.js SIZE PAGE.html...; beside each page PAGE_a.png and PAGE_b.png, the
+// Opens exported pages from disk in headless Chromium: node web_page.js SIZE PAGE.html...; beside each page PAGE_a.png and PAGE_b.png, the
 // pictures of both techniques, and PAGE_page.png as a visitor sees it. Fails on a console message, a request, or controls without effect.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
