@@ -113,3 +113,15 @@ TEST_F(ExportTest, OnlyFoldersThatCouldBeWrittenToAreRemembered)
     finish(dialog);
     EXPECT_EQ(QSettings().value("folders/export").toString(), file("deeper"));
 }
+
+TEST_F(ExportTest, ItSaysBeforehandWhatTheEngineWillDraw)
+{
+    ExportDialog& dialog = exportTo("godot4");
+    const QLabel& drawing = *dialog.findChild<QLabel*>("drawing");
+    ASSERT_TRUE(waitFor([&] { return drawing.text().startsWith("Godot 4 will draw"); })) << drawing.text().toStdString();
+    const QString before = drawing.text();
+    window.document().edit("Heights", [](State& s) { s.parameters.depth = s.parameters.depth * 0.1f; });
+    EXPECT_TRUE(waitFor([&] { return drawing.text() != before; })); // of another depth
+    dialog.setTarget(0); // glTF: no engine is behind it
+    EXPECT_TRUE(waitFor([&] { return drawing.text().isEmpty(); }));
+}

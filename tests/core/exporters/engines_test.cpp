@@ -240,6 +240,7 @@ TEST_F(Engines, WhatAnEngineGetsWrongIsTold)
     EXPECT_FALSE(told(*unity, "rotation-lost").empty());
     EXPECT_FALSE(told(*unity, "banding").empty());
     EXPECT_FALSE(told(*unity, "engine-limits").empty());
+    EXPECT_NE(told(*unity, "engine-drawing").find("at 70 degrees"), std::string::npos) << told(*unity, "engine-drawing");
     const Expected<Exported> blender = run("blender", "b");
     for (const char* code : {"depth-clamped", "zero-differs", "rotation-lost", "banding"})
         EXPECT_EQ(told(*blender, code), "") << code;
