@@ -5,17 +5,6 @@
 
 namespace relievo {
 
-EnumSet<MapKind> presentMaps(const Material& material)
-{
-    EnumSet<MapKind> maps;
-    if (material.height)
-        maps.insert(MapKind::Height);
-    for (const MapKindRow& row : kMapKinds)
-        if (material.map(row.kind))
-            maps.insert(row.kind);
-    return maps;
-}
-
 Parameters drawnParameters(const State& state, std::size_t pane, const TechniqueRow& technique, const ViewRow& view)
 {
     Parameters parameters = effectiveParameters(state, pane);

@@ -11,8 +11,6 @@
 
 namespace relievo {
 
-EnumSet<MapKind> presentMaps(const Material& material);
-
 // What the pane needs to be drawn; views against the exact answer measure the search itself, at full resolution, and engines are drawn so.
 Parameters drawnParameters(const State& state, std::size_t pane, const TechniqueRow& technique, const ViewRow& view);
 

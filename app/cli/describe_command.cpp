@@ -76,11 +76,8 @@ Table exports()
     Table table;
     for (const ExportRow& row : kExports) {
         const EngineFacts& engine = row.engine;
-        std::string files;
-        for (const std::string& name : namesInFolder(row))
-            files += (files.empty() ? "" : " ") + name;
-        table.push_back({{"key", row.key}, {"label", row.label}, {"suffix", row.suffix.empty() ? "folder" : row.suffix}, {"files", files},
-            {"version", engine.version.empty() ? "-" : engine.version}, {"height", heightOf(engine)},
+        table.push_back({{"key", row.key}, {"label", row.label}, {"suffix", row.suffix.empty() ? "folder" : row.suffix},
+            {"files", namesInFolder(row)}, {"version", engine.version.empty() ? "-" : engine.version}, {"height", heightOf(engine)},
             {"property", engine.property.empty() ? "-" : engine.property}, {"value", numberOf(engine)},
             {"draws", engine.technique.empty() ? "-" : engine.technique}, {"limits", engine.limits.empty() ? "-" : engine.limits},
             {"help", row.help}});
@@ -108,7 +105,10 @@ std::string cell(const Json& value)
 {
     if (value.is_boolean())
         return value.get<bool>() ? "yes" : "no";
-    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    std::string text = value.is_string() ? value.get<std::string>() : value.is_array() ? std::string() : value.dump();
+    if (value.is_array())
+        for (const Json& word : value)
+            text += (text.empty() ? "" : " ") + word.get<std::string>();
     for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2)
         text.insert(at, "\\");
     return text;
@@ -149,13 +149,6 @@ struct DescribeOptions {
     bool json = false, markdown = false;
 };
 
-Table withFilesAsList(Table rows)
-{
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        rows[i]["files"] = namesInFolder(kExports[i]);
-    return rows;
-}
-
 void describe(const DescribeOptions& options)
 {
     Json all = Json::object();
@@ -163,7 +156,7 @@ void describe(const DescribeOptions& options)
         if (!options.table.empty() && options.table != table.key)
             continue;
         if (options.json)
-            all[std::string(table.key)] = table.key == "exports" ? withFilesAsList(table.rows()) : table.rows();
+            all[std::string(table.key)] = table.rows();
         else
             std::fputs((options.markdown ? markdown(table) : plain(table)).c_str(), stdout);
     }

@@ -132,6 +132,19 @@ Image heightImage(const HeightField& field, int bits)
     return out;
 }
 
+HeightField asLargeAsWritten(const HeightField& field, int size)
+{
+    const Image small = reduced(heightImage(field, 32), size, Averaging::Plain);
+    if (small.width == field.width() && small.height == field.height() && field.storedBits() <= 16)
+        return field;
+    std::vector<float> heights;
+    heights.reserve(small.texelCount());
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x)
+            heights.push_back(asStored(std::clamp(small.value(x, y, 0), 0.f, 1.f), 16));
+    return HeightField(small.width, small.height, std::move(heights), field.wrap(), 16);
+}
+
 std::optional<Image> baseColorImage(const Material& material, int size)
 {
     const Image *color = material.map(MapKind::Color), *opacity = material.map(MapKind::Opacity);

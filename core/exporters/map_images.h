@@ -18,6 +18,9 @@ float srgbOf(float linear);
 // How the numbers of an image are averaged when it is reduced.
 enum class Averaging { Plain, Srgb, Normals };
 
+// Heights as large as they are written, of 16 bits then: maps that are baked of them fit what lies beside them.
+HeightField asLargeAsWritten(const HeightField& field, int size);
+
 // Box-reduced so that its longest side is `size` texels; an image that is not larger (or size 0) comes back as it is.
 // Srgb: averaged as light (F32 is linear already). Normals: made unit again.
 Image reduced(const Image& image, int size, Averaging averaging);

@@ -49,22 +49,6 @@ Expected<std::vector<Side>> sidesOf(const ExportJob& job)
     return sides;
 }
 
-// As the page's maps hold them: not larger than job.size, 16 bits.
-std::optional<Image> heightsOf(const ExportJob& job)
-{
-    if (!job.resources.material->height)
-        return std::nullopt;
-    return reduced(heightImage(*job.resources.material->height, 16), job.size, Averaging::Plain);
-}
-
-HeightField fieldOf(const Image& heights, Wrap wrap)
-{
-    std::vector<float> values(heights.texelCount());
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = heights.value(int(i) % heights.width, int(i) / heights.width, 0);
-    return {heights.width, heights.height, std::move(values), wrap, 16};
-}
-
 WebJson told(float value)
 {
     return shortest(value);
@@ -178,15 +162,6 @@ Expected<WebJson> mapsJson(const ExportJob& job, const WebJson& sides, Warnings&
     return maps;
 }
 
-EnumSet<MapKind> presentMaps(const Material& material)
-{
-    EnumSet<MapKind> maps;
-    for (const MapKindRow& row : kMapKinds)
-        if (row.kind == MapKind::Height ? material.height.has_value() : material.map(row.kind) != nullptr)
-            maps.insert(row.kind);
-    return maps;
-}
-
 void tellLeftOut(const std::vector<Side>& sides, const Mesh& mesh, Warnings& warnings)
 {
     const auto any = [&sides](auto has) { return std::ranges::any_of(sides, [&](const Side& side) { return has(side.parameters); }); };
@@ -206,8 +181,8 @@ Expected<WebJson> dataOf(const ExportJob& job, Warnings& warnings)
     if (!sides)
         return tl::unexpected(sides.error());
     const Parameters& parameters = sides->front().parameters;
-    const std::optional<Image> heights = heightsOf(job);
-    const std::optional<HeightField> field = heights ? std::optional(fieldOf(*heights, parameters.wrap)) : std::nullopt;
+    const std::optional<HeightField>& whole = job.resources.material->height;
+    const std::optional<HeightField> field = whole ? std::optional(asLargeAsWritten(*whole, job.size)) : std::nullopt;
     const EnumSet<MapKind> shown = presentMaps(*job.resources.material);
     WebJson programs = WebJson::array();
     for (const Side& side : *sides) {
@@ -232,8 +207,8 @@ Expected<WebJson> dataOf(const ExportJob& job, Warnings& warnings)
         {"repeat", parameters.wrap == Wrap::Repeat}, {"background", std::move(*background)}, {"sides", std::move(programs)},
         {"plain", std::move(*plain)}, {"maps", std::move(*maps)}, {"environment", webEnvironment(*job.resources.environment)},
         {"mesh", webMesh(mesh, plainParts(mesh, job.state.part))}};
-    if (heights) {
-        Expected<WebJson> planes = webPlanes(*heights);
+    if (field) {
+        Expected<WebJson> planes = webPlanes(heightImage(*field, 16));
         if (!planes)
             return planes;
         data["height"] = std::move(*planes);

@@ -204,6 +204,17 @@ Expected<ProgramText> program(Expected<ShaderText> vertex, Expected<ShaderText> 
 
 } // namespace
 
+EnumSet<MapKind> presentMaps(const Material& material)
+{
+    EnumSet<MapKind> maps;
+    if (material.height)
+        maps.insert(MapKind::Height);
+    for (const MapKindRow& row : kMapKinds)
+        if (material.map(row.kind))
+            maps.insert(row.kind);
+    return maps;
+}
+
 ProgramFeatures programFeatures(
     const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear)
 {

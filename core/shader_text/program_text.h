@@ -15,6 +15,7 @@
 
 namespace relievo {
 
+struct Material;
 struct TechniqueRow;
 struct ViewRow;
 
@@ -46,6 +47,9 @@ struct ProgramFeatures {
     std::size_t variant(const Member& member) const { return variants[indexOf(member)]; }
     void setVariant(const Member& member, std::size_t variant) { variants[indexOf(member)] = std::uint8_t(variant); }
 };
+// Those that the material has, heights among them.
+EnumSet<MapKind> presentMaps(const Material& material);
+
 // The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.
 ProgramFeatures programFeatures(
     const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear);

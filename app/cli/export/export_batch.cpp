@@ -6,6 +6,7 @@
 #include "core/ground/file.h"
 #include "core/ground/hash.h"
 #include "core/ground/text.h"
+#include "core/image/sets/set_plan.h"
 #include "core/scene/inputs.h"
 #include "core/state/state_json.h"
 #include <algorithm>
@@ -24,14 +25,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 namespace {
-constexpr std::string_view kPictures[]
-    = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".tga", ".bmp", ".webp", ".dds", ".psd"};
-
-bool isPicture(const fs::path& file)
-{
-    return std::ranges::find(kPictures, lowerSuffix(file)) != std::end(kPictures);
-}
-
 void collect(const fs::path& folder, std::set<fs::path>& seen, std::vector<std::string>& sets)
 {
     std::error_code code;

@@ -196,10 +196,10 @@ int exportBatch(const ExportOptions& options, const std::vector<const ExportRow*
     if (!shard)
         return tell(shard.error());
     std::string decides;
-    for (const std::string& argument : options.given)
-        decides += argument + '\n';
-    for (const ExportRow* row : rows) // a file of the user's may have changed
-        decides += row->text ? hexHash(readText(row->text->where).value_or("")) : "";
+    for (const std::string& argument : options.given) { // files that they name may change
+        const auto bytes = readBytes(argument);
+        decides += argument + (bytes ? ' ' + hexHash(*bytes) : "") + '\n';
+    }
     const std::vector<std::string> names = folderNames(sets); // of all shards alike
     std::vector<BatchTask> tasks;
     std::vector<std::pair<fs::path, std::string>> places; // of each task, and its hash

@@ -28,6 +28,7 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     , m_document(document)
     , m_assets(assets)
     , m_background(this)
+    , m_measuring(this)
     , m_form(new ExportForm(document))
     , m_which(new QLabel)
     , m_drawing(new QLabel)
@@ -38,14 +39,22 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
 {
     setWindowTitle(tr("Export"));
     setObjectName("export");
+    layOut();
+    followDocument();
+    followExport();
+    showWhich();
+}
+
+void ExportDialog::layOut()
+{
     m_which->setObjectName("which");
     m_drawing->setObjectName("drawing");
     m_drawing->setWordWrap(true);
     m_drawing->setFont(smallFont());
     m_drawing->setFixedHeight(2 * QFontMetrics(m_drawing->font()).lineSpacing()); // what is below stays where it is
     m_drawing->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_measuring.setSingleShot(true);
-    m_measuring.setInterval(kMeasuredAfter);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kMeasuredAfter);
     m_result->setWordWrap(true);
     m_result->setObjectName("result");
     m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -81,21 +90,22 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     layout->addStretch(1);
     layout->addWidget(hairline());
     layout->addLayout(buttons);
-
-    connect(m_form, &ExportForm::edited, m_result, &QWidget::hide); // it was of another name or target
-    connect(m_form, &ExportForm::edited, &m_measuring, qOverload<>(&QTimer::start));
-    connect(&document, &Document::changed, this, [this] {
-        if (isVisible())
-            m_measuring.start();
-    });
-    connect(&m_measuring, &QTimer::timeout, this, &ExportDialog::showDrawing);
-    connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::stop);
-    connect(&document, &Document::changed, this, &ExportDialog::showWhich);
-    connect(&document, &Document::started, this, &ExportDialog::documentStarted);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
+    connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::stop);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::run);
-    followExport();
-    showWhich();
+}
+
+void ExportDialog::followDocument()
+{
+    connect(m_form, &ExportForm::edited, m_result, &QWidget::hide); // it was of another name or target
+    connect(m_form, &ExportForm::edited, &m_rest, qOverload<>(&QTimer::start));
+    connect(&m_document, &Document::changed, this, [this](Changes what) {
+        if (isVisible() && what != Changes(Change::Camera))
+            m_rest.start();
+    });
+    connect(&m_rest, &QTimer::timeout, this, &ExportDialog::measureDrawing);
+    connect(&m_document, &Document::changed, this, &ExportDialog::showWhich);
+    connect(&m_document, &Document::started, this, &ExportDialog::documentStarted);
 }
 
 void ExportDialog::followExport()
@@ -119,12 +129,15 @@ void ExportDialog::showWhich()
         m_which->setText(tr("Picture A (%1) is exported.").arg(qt(technique->label)));
 }
 
-void ExportDialog::showDrawing()
+void ExportDialog::measureDrawing()
 {
-    const bool ready = m_assets.ready() && m_assets.upToDate() && m_assets.resources().material && m_assets.resources().mesh;
-    const QString told
-        = ready ? QString::fromStdString(drawingTold(m_form->target(), {m_document.state(), m_assets.resources(), {}, 0, {}})) : QString();
-    m_drawing->setText(told.isEmpty() ? told : told + '.');
+    const Resources& resources = m_assets.resources();
+    if (!m_assets.ready() || !m_assets.upToDate() || !resources.material || !resources.mesh)
+        return m_drawing->clear();
+    m_measuring.start([this, row = m_form->target(), state = m_document.state(), resources](const Progress& progress) -> Background::Then {
+        const QString told = QString::fromStdString(drawingTold(row, {state, resources, {}, 0, progress}));
+        return [this, told] { m_drawing->setText(told.isEmpty() ? told : told + '.'); };
+    });
 }
 
 void ExportDialog::setTarget(int row)
@@ -153,7 +166,7 @@ void ExportDialog::showEvent(QShowEvent* event)
     if (!busy() && !event->spontaneous()) {
         m_result->hide(); // of the last time
         m_form->propose();
-        m_measuring.start();
+        m_rest.start();
     }
     QDialog::showEvent(event);
 }

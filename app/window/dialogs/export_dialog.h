@@ -35,6 +35,8 @@ protected:
     void showEvent(QShowEvent*) override;
 
 private:
+    void layOut();
+    void followDocument();
     void followExport(); // its progress, end and failure
     void documentStarted();
     void write(const QString& out);
@@ -42,11 +44,11 @@ private:
     void stop();
     void tell(const Expected<Exported>& result);
     void showWhich();
-    void showDrawing(); // what the engine will draw
+    void measureDrawing(); // what the engine will draw, in the background
     const Document& m_document;
     const Assets& m_assets;
-    Background m_background;
-    QTimer m_measuring; // when the hand rests
+    Background m_background, m_measuring;
+    QTimer m_rest; // until it is measured
     ExportForm* m_form;
     QLabel *m_which, *m_drawing, *m_result;
     QPushButton *m_export, *m_cancel;

@@ -25,7 +25,11 @@ struct TextureFile {
     std::string name;
 };
 struct NamedText {
-    std::string name, text;
+    std::string name;
+    const TargetFile* file; // of the target
+    TemplateValues values;
+    Words more;
+    std::string text; // filled in
 };
 
 // A name that stays in the folder.
@@ -89,19 +93,31 @@ public:
         return {};
     }
 
-    Expected<void> fillTexts()
+    // The names of the texts; what is in them comes later, as it may take baking.
+    Expected<void> nameTexts()
     {
-        for (const TargetFile& file : m_target.files)
-            if (auto added = addShaders(m_values, file.text, m_job, m_heights, m_parameters); !added)
-                return added;
         for (const TargetFile& file : m_target.files) {
             if (!file.eachTexture)
-                if (auto done = fill(file, m_values, {}); !done)
+                if (auto done = name(file, m_values, {}); !done)
                     return done;
             for (const TextureFile& texture : m_textures)
                 if (file.eachTexture)
-                    if (auto done = fill(file, valuesFor(*texture.texture), m_values.textures.at(texture.texture->key)); !done)
+                    if (auto done = name(file, valuesFor(*texture.texture), m_values.textures.at(texture.texture->key)); !done)
                         return done;
+        }
+        return {};
+    }
+
+    Expected<void> fillTexts()
+    {
+        for (NamedText& text : m_texts) {
+            const TargetFile& file = *text.file;
+            if (auto added = addShaders(text.values, file.text, m_job, m_heights, m_parameters); !added)
+                return added;
+            Expected<std::string> whole = filled(file.text, text.values, text.more, m_target.where, file.line);
+            if (!whole)
+                return tl::unexpected(whole.error());
+            text.text = std::move(*whole);
         }
         return {};
     }
@@ -170,17 +186,14 @@ private:
         return values;
     }
 
-    Expected<void> fill(const TargetFile& file, const TemplateValues& values, const Words& more)
+    Expected<void> name(const TargetFile& file, const TemplateValues& values, const Words& more)
     {
         const Expected<std::string> name = filled(file.name, values, more, m_target.where, file.line - 1);
         if (!name)
             return tl::unexpected(name.error());
         if (auto good = checkName(*name, m_target.where + ':' + std::to_string(file.line - 1)); !good)
             return good;
-        const Expected<std::string> text = filled(file.text, values, more, m_target.where, file.line);
-        if (!text)
-            return tl::unexpected(text.error());
-        m_texts.push_back({*name, *text});
+        m_texts.push_back({*name, &file, values, more, {}});
         return {};
     }
 
@@ -311,8 +324,9 @@ private:
 Expected<Exported> exportByText(const ExportRow& row, const ExportJob& job)
 {
     TextExport target(row, job);
-    if (auto named = target.nameTextures().and_then([&] { return target.fillTexts(); }); !named)
-        return tl::unexpected(named.error());
+    const auto ready = target.nameTextures().and_then([&] { return target.nameTexts(); }).and_then([&] { return target.fillTexts(); });
+    if (!ready)
+        return tl::unexpected(ready.error());
     return target.write();
 }
 
@@ -325,7 +339,7 @@ std::string drawingTold(const ExportRow& row, const ExportJob& job)
 std::vector<fs::path> filesOfText(const ExportRow& row, const ExportJob& job)
 {
     TextExport target(row, job);
-    if (auto named = target.nameTextures().and_then([&] { return target.fillTexts(); }); !named)
+    if (auto named = target.nameTextures().and_then([&] { return target.nameTexts(); }); !named)
         return {};
     return target.files();
 }

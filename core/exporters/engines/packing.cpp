@@ -187,22 +187,6 @@ float WrittenHeights::coarseness(const Parameters& parameters) const
     return isFine ? parameters.depth * span / 255.f * float(field->width()) : 0.f;
 }
 
-namespace {
-// As large as it is written: maps are baked of the heights that lie beside them.
-HeightField asLargeAsWritten(const HeightField& field, int size)
-{
-    const Image small = reduced(heightImage(field, 32), size, Averaging::Plain);
-    if (small.width == field.width() && small.height == field.height())
-        return field;
-    std::vector<float> heights;
-    heights.reserve(small.texelCount());
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x)
-            heights.push_back(asStored(std::clamp(small.value(x, y, 0), 0.f, 1.f), 16));
-    return HeightField(small.width, small.height, std::move(heights), field.wrap(), std::max(field.storedBits(), 16));
-}
-} // namespace
-
 WrittenHeights writtenHeights(const ExportJob& job, const Parameters& parameters)
 {
     WrittenHeights written{job.resources.material->height};

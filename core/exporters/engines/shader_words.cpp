@@ -82,16 +82,12 @@ std::string withUniformsTold(const std::string& text, const Source& source, glm:
     return out.insert(body, kLicence);
 }
 
+// With the normals that are made where there are none.
 EnumSet<MapKind> mapsOf(const Source& source)
 {
-    EnumSet<MapKind> maps;
-    for (const MapKindRow& row : kMapKinds)
-        if (source.job.resources.material->map(row.kind))
-            maps.insert(row.kind);
-    if (source.heights.field) {
-        maps.insert(MapKind::Height);
-        maps.insert(MapKind::Normal); // made where there is none
-    }
+    EnumSet<MapKind> maps = presentMaps(*source.job.resources.material);
+    if (source.heights.field && source.job.cures.contains(Cure::Normals))
+        maps.insert(MapKind::Normal);
     return maps;
 }
 

@@ -20,13 +20,16 @@ std::string suffixOf(const fs::path& file)
     return suffix.empty() ? suffix : suffix.substr(1);
 }
 
-bool isImage(const fs::path& file)
+} // namespace
+
+bool isPicture(const fs::path& file)
 {
     const std::string suffix = suffixOf(file);
     const bool named = !suffix.empty() && (" " + std::string(kImageSuffixes) + " ").find(" " + suffix + " ") != std::string::npos;
     return named && !(suffix == "hdr" && foreignFile(file)); // headers of elevation data bear the same suffix
 }
 
+namespace {
 struct Listing {
     std::vector<fs::path> images, folders, others; // sorted
 };
@@ -40,7 +43,7 @@ Expected<Listing> listFolder(const fs::path& folder)
         const fs::path& path = it->path();
         if (path.filename().string().starts_with('.'))
             continue;
-        (it->is_directory(ignored) ? listing.folders : isImage(path) ? listing.images : listing.others).push_back(path);
+        (it->is_directory(ignored) ? listing.folders : isPicture(path) ? listing.images : listing.others).push_back(path);
     }
     if (code)
         return failure(folder.string(), "the folder cannot be read (" + code.message() + ")", "Check its permissions");

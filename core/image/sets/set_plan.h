@@ -17,6 +17,9 @@ struct SetPlan {
     Warnings warnings;
 };
 
+// Whether the file is a picture by its suffix (and, of .hdr, no header of elevation data).
+bool isPicture(const std::filesystem::path& file);
+
 // source: absolute. Errors as openTextureSet.
 Expected<SetPlan> planSource(const std::filesystem::path& source);
 
