@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/dialogs/dialogs.h"
+#include "app/window/dialogs/engine_label.h"
 #include "app/window/dialogs/export_form.h"
 #include "app/window/widgets/hairline.h"
 #include "app/window/widgets/text.h"
@@ -14,12 +15,12 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShowEvent>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace relievo {
 namespace {
 constexpr int kResultHeight = 96; // px, of what is told under the form
-constexpr int kMeasuredAfter = 200; // ms after the last change
 constexpr int kToldFor = 30000; // ms that a success stands in the message line
 } // namespace
 
@@ -28,10 +29,8 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     , m_document(document)
     , m_assets(assets)
     , m_background(this)
-    , m_measuring(this)
     , m_form(new ExportForm(document))
     , m_which(new QLabel)
-    , m_drawing(new QLabel)
     , m_result(new QLabel)
     , m_export(new QPushButton(tr("Export")))
     , m_cancel(new QPushButton(tr("Cancel")))
@@ -40,7 +39,9 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
     setWindowTitle(tr("Export"));
     setObjectName("export");
     layOut();
-    followDocument();
+    connect(m_form, &ExportForm::edited, m_result, &QWidget::hide); // it was of another name or target
+    connect(&document, &Document::changed, this, &ExportDialog::showWhich);
+    connect(&document, &Document::started, this, &ExportDialog::documentStarted);
     followExport();
     showWhich();
 }
@@ -48,13 +49,6 @@ ExportDialog::ExportDialog(const Document& document, const Assets& assets, QWidg
 void ExportDialog::layOut()
 {
     m_which->setObjectName("which");
-    m_drawing->setObjectName("drawing");
-    m_drawing->setWordWrap(true);
-    m_drawing->setFont(smallFont());
-    m_drawing->setFixedHeight(2 * QFontMetrics(m_drawing->font()).lineSpacing()); // what is below stays where it is
-    m_drawing->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_rest.setSingleShot(true);
-    m_rest.setInterval(kMeasuredAfter);
     m_result->setWordWrap(true);
     m_result->setObjectName("result");
     m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -85,7 +79,7 @@ void ExportDialog::layOut()
     layout->setSpacing(4 * kGrid);
     layout->addWidget(m_form);
     layout->addWidget(m_which);
-    layout->addWidget(m_drawing);
+    layout->addWidget(new EngineLabel(*m_form, m_document, m_assets));
     layout->addWidget(results);
     layout->addStretch(1);
     layout->addWidget(hairline());
@@ -93,19 +87,6 @@ void ExportDialog::layOut()
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::stop);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::run);
-}
-
-void ExportDialog::followDocument()
-{
-    connect(m_form, &ExportForm::edited, m_result, &QWidget::hide); // it was of another name or target
-    connect(m_form, &ExportForm::edited, &m_rest, qOverload<>(&QTimer::start));
-    connect(&m_document, &Document::changed, this, [this](Changes what) {
-        if (isVisible() && what != Changes(Change::Camera))
-            m_rest.start();
-    });
-    connect(&m_rest, &QTimer::timeout, this, &ExportDialog::measureDrawing);
-    connect(&m_document, &Document::changed, this, &ExportDialog::showWhich);
-    connect(&m_document, &Document::started, this, &ExportDialog::documentStarted);
 }
 
 void ExportDialog::followExport()
@@ -127,17 +108,6 @@ void ExportDialog::showWhich()
     m_which->setVisible(state.panes.size() > 1);
     if (const TechniqueRow* technique = findTechnique(state.panes.front().technique))
         m_which->setText(tr("Picture A (%1) is exported.").arg(qt(technique->label)));
-}
-
-void ExportDialog::measureDrawing()
-{
-    const Resources& resources = m_assets.resources();
-    if (!m_assets.ready() || !m_assets.upToDate() || !resources.material || !resources.mesh)
-        return m_drawing->clear();
-    m_measuring.start([this, row = m_form->target(), state = m_document.state(), resources](const Progress& progress) -> Background::Then {
-        const QString told = QString::fromStdString(drawingTold(row, {state, resources, {}, 0, progress}));
-        return [this, told] { m_drawing->setText(told.isEmpty() ? told : told + '.'); };
-    });
 }
 
 void ExportDialog::setTarget(int row)
@@ -166,7 +136,6 @@ void ExportDialog::showEvent(QShowEvent* event)
     if (!busy() && !event->spontaneous()) {
         m_result->hide(); // of the last time
         m_form->propose();
-        m_rest.start();
     }
     QDialog::showEvent(event);
 }

@@ -5,7 +5,6 @@
 #include "app/window/document/assets.h"
 #include "core/exporters/exporters.h"
 #include <QDialog>
-#include <QTimer>
 
 class QLabel;
 class QProgressBar;
@@ -36,7 +35,6 @@ protected:
 
 private:
     void layOut();
-    void followDocument();
     void followExport(); // its progress, end and failure
     void documentStarted();
     void write(const QString& out);
@@ -44,13 +42,11 @@ private:
     void stop();
     void tell(const Expected<Exported>& result);
     void showWhich();
-    void measureDrawing(); // what the engine will draw, in the background
     const Document& m_document;
     const Assets& m_assets;
-    Background m_background, m_measuring;
-    QTimer m_rest; // until it is measured
+    Background m_background;
     ExportForm* m_form;
-    QLabel *m_which, *m_drawing, *m_result;
+    QLabel *m_which, *m_result;
     QPushButton *m_export, *m_cancel;
     QProgressBar* m_progress;
 };
