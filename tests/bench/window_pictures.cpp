@@ -166,8 +166,8 @@ const Scene kScenes[] = {
         [](MainWindow& window) {
             window.action("export")->trigger();
             auto* dialog = window.findChild<ExportDialog*>();
-            dialog->setTarget(2);
-            dialog->setOut(QDir::temp().filePath("bricks.json"));
+            dialog->setTarget(int(findExport("unity-urp") - kExports.data()));
+            dialog->setOut(QDir::temp().filePath("bricks_of_unity"));
             dialog->run();
             dialog->move(500, 260);
         }},
