@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "core/ground/file.h"
 #include "core/ground/shown_text.h"
+#include "core/scene/materials/material_file.h"
 #include "core/scene/relief_numbers.h"
 #include "core/state/shapes.h"
 #include "core/trace/relief_room.h"
@@ -68,7 +69,7 @@ Result<Json> infoOf(const InfoOptions& options)
             mesh->warnings.push_back(std::move(*warning));
         return Json::parse(meshJson(*mesh));
     }
-    if (isProjectFile(source) || isBuiltInSource(source)) {
+    if (isProjectFile(source) || isBuiltInSource(source) || isMaterialFile(source)) {
         const auto opened = openSource(source, State(), progress);
         if (!opened)
             return problem(opened.error());

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/map_images.h"
+#include "core/ground/srgb.h"
 #include "core/maps/maps.h"
 #include "core/maps/surface/normal.h"
 #include <charconv>
@@ -9,19 +10,6 @@
 #include <tbb/parallel_for.h>
 
 namespace relievo {
-
-namespace {
-float linearOf(float srgb)
-{
-    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
-}
-} // namespace
-
-float srgbOf(float linear)
-{
-    const float v = std::clamp(linear, 0.f, 1.f);
-    return v >= 1.f ? 1.f : v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1.f / 2.4f) - 0.055f; // white stays white
-}
 
 Image emptyImage(int width, int height, int channels, PixelType type)
 {

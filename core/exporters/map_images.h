@@ -12,8 +12,6 @@ Image emptyImage(int width, int height, int channels, PixelType type);
 void store(Image& image, int x, int y, int channel, float value);
 // Bilinear between texel centres, the image repeated: maps of one material may differ in size.
 float sampled(const Image& image, float u, float v, int channel);
-// Encoded as sRGB, of [0, 1].
-float srgbOf(float linear);
 
 // How the numbers of an image are averaged when it is reduced.
 enum class Averaging { Plain, Srgb, Normals };

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/environment.h"
+#include "core/ground/srgb.h"
 #include "core/image/files/image_file.h"
 #include <array>
 #include <cmath>
@@ -164,11 +165,6 @@ float meanBrightness(const Panorama& panorama)
         }
     }
     return float(sum / area);
-}
-
-float linearOf(float srgb)
-{
-    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
 
 // One texel as linear, finite, non-negative radiance; the largest half float bounds a sun.

@@ -18,19 +18,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-void takeNumber(State& state, std::string_view key, double value)
-{
-    const ParameterRow& row = *findParameter(key);
-    std::visit(
-        [&](auto member) {
-            using T = std::remove_cvref_t<decltype(state.parameters.*member)>;
-            if constexpr (std::is_arithmetic_v<T>)
-                if (std::isfinite(value))
-                    set(state.parameters, row, clamped(row, T(std::clamp(value, double(row.min), double(row.max)))));
-        },
-        row.member);
-}
-
 std::string shortText(double value)
 {
     char text[32];
@@ -73,6 +60,19 @@ bool takeConvention(State& state, const json& map)
     return fs::path(slot.file).filename() == textOf(map, "file") && std::exchange(slot.invert, false);
 }
 } // namespace
+
+void takeNumber(State& state, std::string_view key, double value)
+{
+    const ParameterRow& row = *findParameter(key);
+    std::visit(
+        [&](auto member) {
+            using T = std::remove_cvref_t<decltype(state.parameters.*member)>;
+            if constexpr (std::is_arithmetic_v<T>)
+                if (std::isfinite(value))
+                    set(state.parameters, row, clamped(row, T(std::clamp(value, double(row.min), double(row.max)))));
+        },
+        row.member);
+}
 
 void takeRelief(State& state, const MeshRelief& relief, double metresPerUV)
 {

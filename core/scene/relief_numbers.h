@@ -13,6 +13,9 @@
 
 namespace relievo {
 
+// A parameter by its key, clamped to its range; what is no number is left out.
+void takeNumber(State& state, std::string_view key, double value);
+
 // What a glTF file says (RELIEVO_materials_relief), as far as it makes sense: numbers are clamped to their range, what is no number and
 // techniques that draw no pictures are left out. metresPerUV: of the mesh, whose UV unit is the tile; > 0.
 void takeRelief(State& state, const MeshRelief& relief, double metresPerUV);

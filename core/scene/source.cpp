@@ -9,6 +9,7 @@
 #include "core/ground/text.h"
 #include "core/image/samples/hard_cases.h"
 #include "core/image/samples/samples.h"
+#include "core/scene/materials/material_file.h"
 #include "core/scene/relief_numbers.h"
 #include "core/state/presets.h"
 #include <algorithm>
@@ -94,6 +95,27 @@ Expected<Opened> openScene(const std::string& source, const State& base)
     return opened;
 }
 
+// A relief without heights cannot be drawn.
+void drawWithoutHeights(State& state)
+{
+    if (!state.slots[std::size_t(MapKind::Height)].empty())
+        return;
+    for (Pane& pane : state.panes)
+        if (const TechniqueRow* technique = findTechnique(pane.technique); technique && technique->needsHeights())
+            pane.technique = "bump";
+}
+
+Expected<Opened> openMaterial(const fs::path& file, const State& base)
+{
+    auto read = readMaterialFile(file, base);
+    if (!read)
+        return tl::unexpected(read.error());
+    Opened opened{std::move(read->state), {}, std::move(read->warnings)};
+    opened.bringsValues = true;
+    drawWithoutHeights(opened.state);
+    return opened;
+}
+
 // A mesh file as SOURCE: the first of its materials that has maps, on all parts. Without heights it is shown as bump.
 Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const Progress& progress)
 {
@@ -106,10 +128,7 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
     Opened opened{base, {}, {}};
     opened.state.mesh = file.string();
     opened.state.slots = material->maps;
-    if (opened.state.slots[std::size_t(MapKind::Height)].file.empty()) // a relief without heights cannot be drawn
-        for (Pane& pane : opened.state.panes)
-            if (const TechniqueRow* technique = findTechnique(pane.technique); technique && technique->needsHeights())
-                pane.technique = "bump";
+    drawWithoutHeights(opened.state);
     opened.bringsValues = material->factors || material->relief;
     if (material->factors)
         takeFactors(opened.state, *material->factors, material->maps);
@@ -164,6 +183,8 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     const fs::path given = absolutePath(source), path = thatLooksLike(given).value_or(given);
     if (source.empty() || (!fs::exists(path, code) && !pictureMayExist(path)))
         return failure(ErrorCode::NotFound, source.empty() ? "SOURCE" : source, "there is no such file or folder", "Check the path");
+    if (isMaterialFile(path))
+        return openMaterial(path, base);
     if (std::optional<Error> foreign = foreignFile(path))
         return tl::unexpected(std::move(*foreign));
     if (isProjectFile(path)) {

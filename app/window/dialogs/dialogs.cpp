@@ -20,7 +20,7 @@ struct FileKindRow {
 };
 constexpr const char* kImages = "png jpg jpeg tif tiff tga bmp exr hdr dds";
 constexpr FileKindRow kFileKinds[] = {
-    {"source", "Projects and images", "relievo png jpg jpeg tif tiff tga bmp exr hdr dds gltf glb obj"},
+    {"source", "Projects, images and materials", "relievo png jpg jpeg tif tiff tga bmp exr hdr dds gltf glb obj tres mat material mtlx json babylon"},
     {"project", "Projects", "relievo"},
     {"image", "Images", kImages},
     {"mesh", "Meshes", "gltf glb obj ply stl off"},

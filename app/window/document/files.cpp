@@ -10,6 +10,7 @@
 #include "core/ground/shown_text.h"
 #include "core/image/samples/samples.h"
 #include "core/image/sets/texture_set.h"
+#include "core/scene/materials/material_file.h"
 #include "core/scene/source.h"
 #include "core/state/presets.h"
 #include <QDir>
@@ -161,7 +162,7 @@ void Files::openDropped(const QString& dropped)
         m_assets.locatesMesh(dropped) || !bringsPictures(dropped) ? takeMesh(dropped) : askWhatToTake(dropped);
     else if (isProjectFile(dropped.toStdString()))
         open(dropped);
-    else if (fits(FileKind::Preset, dropped))
+    else if (fits(FileKind::Preset, dropped) && !readMaterialFile(dropped.toStdString(), State()))
         applyPreset(dropped.toStdString());
     else
         chooseSet(dropped, [this](const QString& chosen) { m_assets.openInto(chosen); });

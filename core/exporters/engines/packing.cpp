@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/engines/packing.h"
 #include "core/exporters/map_images.h"
+#include "core/ground/srgb.h"
 #include "core/maps/acceleration/acceleration_map.h"
 #include "core/maps/maps.h"
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "core/exporters/engines/template_values.h"
 #include "core/exporters/map_images.h"
 #include "core/ground/hash.h"
+#include "core/ground/srgb.h"
 #include "core/ground/text.h"
 #include <charconv>
 #include <cmath>
