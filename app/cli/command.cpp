@@ -259,6 +259,25 @@ std::optional<Warning> missingClip(const Scene& scene)
 }
 } // namespace
 
+Result<SearchInput> openHeights(const StateOptions& options, const Progress& progress)
+{
+    const auto opened = openState(options, progress.part(0.f, 0.5f));
+    if (!opened)
+        return tl::unexpected(opened.error());
+    SearchInput input{opened->state.panes.front().technique, effectiveParameters(opened->state, 0), {}, opened->warnings};
+    MapSlots slots; // the search reads heights only
+    slots[std::size_t(MapKind::Height)] = opened->state.slots[std::size_t(MapKind::Height)];
+    if (slots == MapSlots())
+        return input;
+    const auto material = loadMaterial(slots, opened->images, nullptr, progress.part(0.5f, 1.f));
+    if (!material)
+        return problem(material.error());
+    input.warnings.insert(input.warnings.end(), material->warnings.begin(), material->warnings.end());
+    if (material->height)
+        input.field = material->height->withWrap(input.parameters.wrap);
+    return input;
+}
+
 Result<Scene> openScene(const StateOptions& options, const Progress& progress)
 {
     auto opened = openState(options, progress.part(0.f, 0.5f));

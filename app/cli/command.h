@@ -44,6 +44,14 @@ struct StateOptions {
     std::vector<const std::string*> outputs, inputs;
 };
 
+// What a search on given rays needs of a State: its first pane's technique and parameters, and the heights.
+struct SearchInput {
+    std::string technique;
+    Parameters parameters;
+    std::optional<HeightField> field; // with the State's wrap
+    Warnings warnings;
+};
+
 struct Scene {
     State state;
     Resources resources;
@@ -63,6 +71,7 @@ inline tl::unexpected<Problem> problem(Error error, int code = Failed)
 // The State that the options describe, and its data. Files that are named and not there: an error when an option names them; a warning
 // when the State names a mesh or environment, which openScene, needing them, makes an error.
 Result<Opened> openState(const StateOptions& options, const Progress& progress);
+Result<SearchInput> openHeights(const StateOptions& options, const Progress& progress);
 Result<Scene> openScene(const StateOptions& options, const Progress& progress);
 
 // Progress on stderr when that is a terminal or was asked for.
@@ -78,6 +87,7 @@ void print(const nlohmann::ordered_json& result); // one line on stdout; bytes t
 // One function a command: adds its subcommand to `app`; running it sets `exitCode`.
 void addRender(CLI::App& app, int& exitCode);
 void addTrace(CLI::App& app, int& exitCode);
+void addInspect(CLI::App& app, int& exitCode);
 void addBake(CLI::App& app, int& exitCode);
 void addExport(CLI::App& app, int& exitCode);
 void addDescribe(CLI::App& app, int& exitCode);

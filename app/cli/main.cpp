@@ -29,7 +29,7 @@ struct CommandRow {
     std::string_view key;
     AddCommand add;
 };
-constexpr CommandRow kCommands[] = {{"render", addRender}, {"trace", addTrace}, {"bake", addBake}, {"export", addExport},
+constexpr CommandRow kCommands[] = {{"render", addRender}, {"trace", addTrace}, {"inspect", addInspect}, {"bake", addBake}, {"export", addExport},
     {"describe", addDescribe}, {"info", addInfo}, {"report", addReport}, {"tune", addTune}, {"compare", addCompare}};
 
 void warnOf(const char* variable, const char* value, const char* cure)

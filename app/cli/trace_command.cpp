@@ -60,29 +60,16 @@ struct Traced {
 Result<Traced> trace(const TraceOptions& options)
 {
     const Progress progress = shownProgress(options.common);
-    auto opened = openState(options.state, progress.part(0.f, 0.2f));
-    if (!opened)
-        return tl::unexpected(opened.error());
-    const Parameters parameters = effectiveParameters(opened->state, 0);
-    MapSlots slots = opened->state.slots; // the search reads heights only
-    for (const MapKindRow& row : kMapKinds)
-        if (row.kind != MapKind::Height)
-            slots[std::size_t(row.kind)] = {};
-    Traced traced{opened->warnings};
-    std::optional<HeightField> field;
-    if (!slots[std::size_t(MapKind::Height)].empty()) {
-        const auto material = loadMaterial(slots, opened->images, nullptr, progress.part(0.2f, 0.4f));
-        if (!material)
-            return problem(material.error());
-        traced.warnings.insert(traced.warnings.end(), material->warnings.begin(), material->warnings.end());
-        if (material->height)
-            field = material->height->withWrap(parameters.wrap);
-    }
+    const auto heights = openHeights(options.state, progress.part(0.f, 0.4f));
+    if (!heights)
+        return tl::unexpected(heights.error());
+    const Parameters& parameters = heights->parameters;
+    Traced traced{heights->warnings};
     const auto rays = readRays(options.rays, parameters.depth);
     if (!rays)
         return problem(rays.error());
     traced.warnings.insert(traced.warnings.end(), rays->warnings.begin(), rays->warnings.end());
-    const bool isExact = opened->state.panes.front().technique == "reference"; // in double precision
+    const bool isExact = heights->technique == "reference"; // in double precision
     const auto odd
         = std::ranges::count_if(rays->rays, [&](const SearchRay& ray) { return isExact ? !isFinite(ray) : !isFiniteInFloat(ray); });
     if (odd > 0)
@@ -92,7 +79,7 @@ Result<Traced> trace(const TraceOptions& options)
     if (options.device == "cpu")
         warnOfOtherTexts(traced.warnings);
     const auto hits
-        = run(options, opened->state.panes.front().technique, parameters, field ? &*field : nullptr, rays->rays, progress.part(0.4f, 1.f));
+        = run(options, heights->technique, parameters, heights->field ? &*heights->field : nullptr, rays->rays, progress.part(0.4f, 1.f));
     if (!hits)
         return problem(hits.error());
     if (const auto written = writeAtomically(options.out, hitsText(*hits)); !written)

@@ -63,6 +63,13 @@ namespace {
 constexpr std::array<std::string_view, 2> kHeaders = {"#version 410 core\n#extension GL_ARB_conservative_depth : enable\n",
     "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n"
     "precision highp usampler2D;\n"};
+
+// Techniques say which steps they take in lines that only the CPU has (core/trace/recorded_steps.h).
+bool isRecord(std::string_view line)
+{
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    return line.starts_with("record") && line.ends_with(");") && line.find('(') <= std::string_view("recordHalving").size();
+}
 } // namespace
 
 Assembly& Assembly::file(std::string_view name)
@@ -119,7 +126,9 @@ void Assembly::lines(const std::string& text, std::size_t index)
                 file(content.substr(open + 1, close - open - 1));
             if (!m_forPeople)
                 m_body += "#line " + std::to_string(line + 1) + ' ' + number + '\n';
-        } else if (!m_forPeople || !content.starts_with("// SPDX-")) { // stands once, at the head of what is exported
+        } else if (!m_forPeople && isRecord(content)) {
+            m_body += '\n';
+        } else if (!m_forPeople || (!content.starts_with("// SPDX-") && !isRecord(content))) { // the former stands once, at the head
             m_body.append(content);
             m_body += '\n';
         }

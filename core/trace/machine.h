@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/trace/shader_on_cpu.h"
+#include "core/trace/recorded_steps.h"
 #include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
@@ -33,7 +33,32 @@ struct Machine : Parameters {
     const AccelerationMap* boundMap = nullptr;
     int heightBytes = 0, boundBytes = 0; // of a texel as it is uploaded
     mutable int bytes = 0; // fetched so far
+    mutable int reads = 0; // so far, as hits count fetches
     bool gaveUp = false; // as in shaders/search/contract.glsl
+    StepRecorder* recorder = nullptr;
+
+    static constexpr StepKind kLinear = StepKind::Linear, kSecant = StepKind::Secant, kCone = StepKind::Cone, kBox = StepKind::Box,
+                              kCell = StepKind::Cell, kBall = StepKind::Ball, kOffset = StepKind::Offset;
+    void record(StepKind kind, float to) const
+    {
+        if (recorder)
+            recorder->step(kind, to, reads);
+    }
+    void recordHalving(float from, float to, float middle) const
+    {
+        if (recorder)
+            recorder->halving(from, to, middle, reads);
+    }
+    void recordRead(StepKind kind) const
+    {
+        if (recorder)
+            recorder->read(kind, reads);
+    }
+    void recordShare(float share) const
+    {
+        if (recorder)
+            recorder->share(share);
+    }
 
     static ivec2 textureSize(const HeightField* map, int) { return {map->width(), map->height()}; }
     bool clamped() const { return wrap == Wrap::Clamp; }
@@ -43,6 +68,7 @@ struct Machine : Parameters {
     float heightAt(vec2 uv) const
     {
         bytes += heightBytes;
+        ++reads;
         return heightMap->at(uv);
     }
 #include "shaders/search/bend_quadric.glsl"
@@ -50,6 +76,7 @@ struct Machine : Parameters {
     vec4 cornersAt(vec2 cell) const
     {
         bytes += 4 * heightBytes;
+        ++reads;
         const HeightField::Corners c = heightMap->corners(int(cell.x), int(cell.y));
         return {c.h00, c.h10, c.h01, c.h11};
     }
@@ -61,11 +88,13 @@ struct Machine : Parameters {
     float boundTexel(ivec2 texel) const
     {
         bytes += boundBytes;
+        ++reads;
         return boundMap->levels.front().value(texel.x, texel.y, 0);
     }
     uvec4 cellCodes(ivec2 node) const
     {
         bytes += boundBytes;
+        ++reads;
         std::uint16_t codes[4];
         const Image& image = boundMap->levels.front();
         std::memcpy(
@@ -75,6 +104,7 @@ struct Machine : Parameters {
     vec4 boundAt(vec2 uv) const
     {
         bytes += boundBytes;
+        ++reads;
         const Image& image = boundMap->levels.front();
         const Bilinear at(uv, {image.width, image.height}, heightMap->wrap());
         vec4 value(0.f);
@@ -90,6 +120,7 @@ struct Machine : Parameters {
     float distanceAt(vec3 at) const
     {
         bytes += boundBytes;
+        ++reads;
         const Image& image = boundMap->levels.front();
         const int rows = image.height / boundMap->slices;
         const Bilinear place({at.x, at.y}, {image.width, rows}, heightMap->wrap());
@@ -132,8 +163,8 @@ struct CountedHit {
     int bytes;
     bool gaveUp;
 };
-// parameters, maps, ray, bend (SearchRay::bend).
-using TextSearch = CountedHit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glm::vec3);
+// parameters, maps, ray, bend (SearchRay::bend), what hears of the steps (may be null).
+using TextSearch = CountedHit (*)(const Parameters&, const SearchMaps&, glsl::Ray, glm::vec3, StepRecorder*);
 TextSearch textSearch(std::string_view file); // of a technique's shader file; nullptr when there is none
 
 } // namespace relievo

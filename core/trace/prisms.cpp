@@ -18,7 +18,7 @@ struct PrismMachine : Machine, SceneUniforms {
     const glm::vec4* texels = nullptr;
 
     vec4 prismTexel(int i) const { return texels[i]; }
-    Hit trace(Ray ray) { return search(*this, *maps, ray, curve).hit; }
+    Hit trace(Ray ray) { return search(*this, *maps, ray, curve, nullptr).hit; }
 #include "shaders/view_ray/prisms.glsl"
 #include "shaders/view_ray/search_own.glsl"
 };

@@ -16,6 +16,7 @@ struct SearchRay {
     // Over a curved surface the depth at t is t - bend.x - bend.y t - bend.z t^2 (shaders/search/bend_quadric.glsl); the reference takes 0
     // only.
     glm::dvec3 bend{0.};
+    double end = 1.; // the search ends at this t: the depth of the point that a ray of light comes to
 };
 
 struct SearchHit {

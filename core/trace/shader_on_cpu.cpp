@@ -6,6 +6,7 @@
 #include "core/state/techniques.h"
 #include "core/trace/exact_search.h"
 #include "core/trace/machine.h"
+#include "core/trace/recorded_steps.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -44,11 +45,13 @@ struct SearchRow {
     TextSearch search;
 };
 
-template <class Technique> CountedHit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray, glsl::vec3 bend)
+template <class Technique>
+CountedHit run(const Parameters& parameters, const SearchMaps& maps, glsl::Ray ray, glsl::vec3 bend, StepRecorder* recorder)
 {
     Technique technique;
     static_cast<Parameters&>(technique) = parameters;
     technique.curve = bend;
+    technique.recorder = recorder;
     technique.boundMap = maps.acceleration.get();
     if (maps.acceleration) {
         const Image& image = maps.acceleration->levels.front();
@@ -70,15 +73,35 @@ const SearchRow kSearches[] = {
 #undef RELIEVO_TECHNIQUE_ROW
 };
 
-SearchHit searched(TextSearch search, const Parameters& parameters, const SearchMaps& maps, const SearchRay& ray)
+SearchHit searched(
+    TextSearch search, const Parameters& parameters, const SearchMaps& maps, const SearchRay& ray, StepRecorder* recorder = nullptr)
 {
     if (!isFiniteInFloat(ray))
         return {};
     const auto [hit, bytes, gaveUp]
-        = search(parameters, maps, {inFloat(ray.uv), inFloat(ray.duv), float(ray.cosView), 1.f}, glm::vec3(ray.bend));
+        = search(parameters, maps, {inFloat(ray.uv), inFloat(ray.duv), float(ray.cosView), float(ray.end)}, glm::vec3(ray.bend), recorder);
     if (gaveUp)
         return unfinished(ray, hit.fetches, bytes);
     return {hit.found, hit.t, glm::dvec2(hit.uv), hit.fetches, bytes};
+}
+
+struct Search {
+    TextSearch text = nullptr;
+    std::optional<ExactSearch> exact = {}; // of the reference, which has no text
+};
+Expected<Search> searchOf(std::string_view key, const SearchMaps& maps)
+{
+    const TechniqueRow* row = findTechnique(key);
+    if (!row)
+        return failure(ErrorCode::NotFound, std::string(key), "there is no such technique", "relievo describe techniques lists them");
+    if ((!maps.height && row->needsHeights()) || (!maps.acceleration && !row->accelerationMap.empty()))
+        return failure(std::string(key), "this technique needs maps that are not there", "Make them by searchMaps");
+    if (row->key == "reference")
+        return Search{nullptr, ExactSearch(*maps.height)};
+    const TextSearch text = textSearch(row->file);
+    if (!text)
+        return failure(std::string(key), "this technique has no shader text", "Reinstall Relievo");
+    return Search{text};
 }
 
 } // namespace
@@ -120,31 +143,38 @@ Expected<std::vector<SearchHit>> traceRays(
 Expected<std::vector<SearchHit>> traceRays(
     std::string_view key, const Parameters& parameters, const SearchMaps& maps, std::span<const SearchRay> rays, const Progress& progress)
 {
-    const TechniqueRow* row = findTechnique(key);
-    if (!row)
-        return failure(ErrorCode::NotFound, std::string(key), "there is no such technique", "relievo describe techniques lists them");
-    const HeightField* field = maps.height ? &*maps.height : nullptr;
-    if ((!field && row->needsHeights()) || (!maps.acceleration && !row->accelerationMap.empty()))
-        return failure(std::string(key), "this technique needs maps that are not there", "Make them by searchMaps");
-    const TextSearch search = textSearch(row->file);
-    std::optional<ExactSearch> exact;
-    if (row->key == "reference")
-        exact.emplace(*field);
-    else if (!search)
-        return failure(std::string(key), "this technique has no shader text", "Reinstall Relievo");
-
+    const auto technique = searchOf(key, maps);
+    if (!technique)
+        return tl::unexpected(technique.error());
     std::vector<SearchHit> hits(rays.size());
     std::atomic<std::size_t> done = 0;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 256), [&](const auto& range) {
         if (progress.cancelled())
             return;
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-            hits[i] = exact ? exact->hit(rays[i]) : searched(search, parameters, maps, rays[i]);
+            hits[i] = technique->exact ? technique->exact->hit(rays[i]) : searched(technique->text, parameters, maps, rays[i]);
         progress.at(float(done += range.size()) / float(rays.size()));
     });
     if (progress.cancelled())
         return cancelled(std::string(key));
     return hits;
+}
+
+Expected<RecordedSearch> recordSearch(std::string_view key, const Parameters& parameters, const SearchMaps& maps, const SearchRay& ray)
+{
+    const auto technique = searchOf(key, maps);
+    if (!technique)
+        return tl::unexpected(technique.error());
+    StepRecorder recorder(ray);
+    RecordedSearch recorded;
+    if (technique->exact) {
+        recorded.hit = technique->exact->hit(ray);
+        recorder.step(StepKind::Cell, float(recorded.hit.t), recorded.hit.fetches);
+    } else {
+        recorded.hit = searched(technique->text, parameters, maps, ray, &recorder);
+    }
+    recorded.steps = std::move(recorder).finish(recorded.hit, maps.height ? &*maps.height : nullptr);
+    return recorded;
 }
 
 float exactDepthInFloat(const HeightField& field, const SearchRay& ray)

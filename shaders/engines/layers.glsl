@@ -20,6 +20,7 @@ Layers layersDown(vec2 uv, vec2 way, float layers, int last, bool touching)
         found.inside = float(i) / layers;
         found.gapInside = 1.0f - found.inside - heightAt(uv + way * found.inside);
         ++found.fetches;
+        record(kLinear, found.inside);
         if (touching ? found.gapInside <= 0.0f : found.gapInside < 0.0f)
             break;
         found.outside = found.inside;
@@ -38,11 +39,14 @@ float betweenLayers(Layers found)
 Hit drawnInLayers(Ray ray, float share, float layers, bool readsAgain)
 {
     vec2 way = ray.duv * share;
+    recordShare(share);
     Layers found = layersDown(ray.uv, way, layers, int(layers) + 1, true);
     if (readsAgain) { // the sample before is not kept but read once more
         found.gapOutside = 1.0f - found.outside - heightAt(ray.uv + way * found.outside);
         ++found.fetches;
     }
     float t = share * betweenLayers(found);
+    recordShare(1.0f);
+    record(kSecant, t);
     return Hit(ray.uv + ray.duv * t, t, true, found.fetches);
 }

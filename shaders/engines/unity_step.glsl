@@ -9,5 +9,6 @@ Hit drawnByUnity(Ray ray)
     float amplitude = clamp(way * ray.cosView / max(sine, 1e-20f), 0.005f, 0.08f);
     float stretch = way > 0.0f ? amplitude * sine / way : ray.cosView; // of the ray's way: A V.xy beside duv
     float share = (0.5f - heightAt(ray.uv)) * stretch / (ray.cosView + 0.42f);
+    record(kOffset, clamp(0.5f + share, 0.0f, 1.0f));
     return Hit(ray.uv + ray.duv * share, clamp(0.5f + share, 0.0f, 1.0f), true, 1);
 }

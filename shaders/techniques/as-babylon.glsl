@@ -16,6 +16,7 @@ Hit trace(Ray ray)
         float gap = 1.0f - t - heightAt(ray.uv + ray.duv * t);
         if (found)
             continue;
+        record(kLinear, t);
         found = gap < 0.0f;
         if (found) {
             t = secantOf(outside, t, gapOutside, gap);
@@ -25,5 +26,6 @@ Hit trace(Ray ray)
             t = float(i) / layers;
         }
     }
+    record(found ? kSecant : kLinear, t);
     return Hit(ray.uv + ray.duv * t, t, true, 15);
 }

@@ -5,5 +5,6 @@
 Hit trace(Ray ray)
 {
     float t = (1.0f - heightAt(ray.uv)) * ray.cosView;
+    record(kOffset, t);
     return Hit(ray.uv + ray.duv * t, t, true, 1);
 }

@@ -10,10 +10,12 @@ Hit trace(Ray ray)
     vec2 way = ray.duv * share;
     float texels = length(way * vec2(textureSize(heightMap, 0)));
     float layers = clamp(0.5f * texels, 1.0f, 16.0f);
+    recordShare(share);
     float t = 0.0f;
     float outside = 0.0f;
     float depthThere = 1.0f - heightAt(ray.uv);
     int fetches = 1;
+    record(kLinear, 0.0f);
     for (int i = 1; i <= 16; ++i) {
         if (float(i) >= layers + 1.0f || t >= depthThere)
             break;
@@ -21,16 +23,21 @@ Hit trace(Ray ray)
         t = float(i) / layers;
         depthThere = 1.0f - heightAt(ray.uv + way * t);
         ++fetches;
+        record(kLinear, t);
     }
     if (t >= depthThere) {
         float reach = 0.5f * (t - outside);
         t -= reach;
         for (int i = 0; i < 5; ++i) {
+            float at = t;
             reach *= 0.5f;
-            t += t >= 1.0f - heightAt(ray.uv + way * t) ? -reach : reach;
+            t += at >= 1.0f - heightAt(ray.uv + way * at) ? -reach : reach;
             ++fetches;
+            recordHalving(t - reach, t + reach, at);
         }
     }
     t = share * clamp(0.5f * texels - 0.5f, 0.0f, 1.0f) * clamp(t, 0.0f, 1.0f);
+    recordShare(1.0f);
+    record(kOffset, t);
     return Hit(ray.uv + ray.duv * t, t, true, fetches);
 }

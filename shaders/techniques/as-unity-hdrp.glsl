@@ -14,6 +14,7 @@ Hit trace(Ray ray)
         t = betweenLayers(found);
         float gap = 1.0f - t - heightAt(ray.uv + ray.duv * t);
         ++found.fetches;
+        record(kSecant, t);
         if (abs(gap) <= 0.01f)
             break;
         if (gap < 0.0f) {

@@ -9,5 +9,6 @@ Hit trace(Ray ray)
     float layers = mix(float(maxSteps), float(minSteps), ray.cosView);
     Layers found = layersDown(ray.uv, ray.duv, layers, int(layers) + 1, false);
     float t = betweenLayers(found);
+    record(kSecant, t);
     return Hit(ray.uv + ray.duv * t, t, true, found.fetches);
 }

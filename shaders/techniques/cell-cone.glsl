@@ -80,6 +80,7 @@ Hit trace(Ray ray)
                 break;
             walk = moved(walk, slope, size, perTexel, best * (1.0f + 2e-7f) + past);
             z = heightOf(walk);
+            record(max(max(cone.x, cone.y), max(cone.z, cone.w)) >= best ? kCone : kBox, 1.0f - z);
         }
         float after = z - best;
         if (!mayTouch || after <= last) {
@@ -90,10 +91,12 @@ Hit trace(Ray ray)
         float s = cellRoot(cornersAt(walk.cell), walk.p + slope * best, slope, after, max(min(leave - best, after - lowest), 0.0f), past);
         if (s <= 1.0f) {
             float t = clamp(1.0f - walk.z + (walk.below + best + s), 0.0f, 1.0f);
+            record(kCell, t);
             return Hit(ray.uv + ray.duv * t, t, true, fetches);
         }
         walk = moved(walk, slope, size, perTexel, leave * (1.0f + 2e-7f) + past);
         z = heightOf(walk);
+        record(kCell, 1.0f - z);
     }
     gaveUp = z > last;
     return Hit(ray.uv + ray.duv * ray.end, ray.end, endsOnFloor(ray), fetches);

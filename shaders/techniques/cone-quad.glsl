@@ -19,6 +19,7 @@ Hit trace(Ray ray)
         vec2 uv = ray.uv + ray.duv * hit.t;
         float above = 1.0f - hit.t - heightAt(uv) + bendFrom(hit.t).x;
         ++hit.fetches;
+        recordRead(kCone);
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
         if (i >= leapSteps)
@@ -28,6 +29,7 @@ Hit trace(Ray ray)
         float ratio = root * root * scale;
         outside = hit.t;
         hit.t += coneLeap(above, ratio, travel, bendRise(outside));
+        record(kCone, min(hit.t, ray.end));
         if (hit.t >= ray.end) {
             hit.t = ray.end;
             hit.found = endsOnFloor(ray);

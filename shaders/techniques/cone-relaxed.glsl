@@ -16,6 +16,7 @@ Hit trace(Ray ray)
         vec4 bound = boundAt(ray.uv + ray.duv * hit.t);
         ++hit.fetches;
         float above = clamp(1.0f - hit.t - bound.x + bendFrom(hit.t).x, 0.0f, 1.0f);
+        recordRead(kCone);
         if (lastBracket && above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
         if (lastBracket && (i >= leapSteps || hit.t >= ray.end))
@@ -23,6 +24,7 @@ Hit trace(Ray ray)
         float ratio = bound.y * bound.y * boundScale().y;
         outside = hit.t;
         hit.t = min(ray.end, hit.t + coneLeap(above, ratio, travel, bendRise(outside)));
+        record(kCone, hit.t);
     }
     hit.found = endsOnFloor(ray) || hit.t < ray.end;
     hit.uv = ray.uv + ray.duv * hit.t;
@@ -33,9 +35,11 @@ Hit trace(Ray ray)
     float range = 0.5f * all;
     float t = range;
     for (int i = 0; i < refineSteps; ++i) {
+        float at = t;
         ++hit.fetches;
         range *= 0.5f;
-        t += t < 1.0f - heightOn(ray, t) ? range : -range;
+        t += at < 1.0f - heightOn(ray, at) ? range : -range;
+        recordHalving(t - range, t + range, at);
     }
     hit.t = t;
     hit.found = hit.found || t < all - 2.0f * range; // else no halving was inside

@@ -18,6 +18,7 @@ Hit trace(Ray ray)
         vec4 bound = boundAt(uv);
         ++hit.fetches;
         float above = 1.0f - hit.t - bound.x + bendFrom(hit.t).x;
+        recordRead(kCone);
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
         if (i >= leapSteps)
@@ -30,6 +31,7 @@ Hit trace(Ray ray)
         outside = hit.t;
         float leap = coneLeap(above, ratio, travel, bendRise(outside));
         hit.t += max(leap, min(toWallU, toWallV) + 1e-5f); // their constant, in depth
+        record(kCone, min(hit.t, ray.end));
         if (hit.t >= ray.end) {
             hit.t = ray.end;
             hit.found = endsOnFloor(ray);

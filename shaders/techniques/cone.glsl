@@ -15,6 +15,7 @@ Hit trace(Ray ray)
         vec4 bound = boundAt(ray.uv + ray.duv * hit.t);
         ++hit.fetches;
         float above = 1.0f - hit.t - bound.x + bendFrom(hit.t).x;
+        recordRead(kCone);
         if (above <= 0.0f)
             return bisected(ray, hit, outside, hit.t, hit.t > 0.0f ? refineSteps : 0);
         if (i >= leapSteps)
@@ -22,6 +23,7 @@ Hit trace(Ray ray)
         float ratio = bound.y * bound.y * boundScale().y;
         outside = hit.t;
         hit.t += coneLeap(above, ratio, travel, bendRise(outside));
+        record(kCone, min(hit.t, ray.end));
         if (hit.t >= ray.end) {
             hit.t = ray.end;
             hit.found = endsOnFloor(ray);

@@ -14,8 +14,10 @@ Hit trace(Ray ray)
     int fetches = 0;
     for (int i = 1; i <= steps; ++i) {
         float t = from + span * (float(i) / float(steps));
+        float height = heightOn(ray, t);
         ++fetches;
-        if (1.0f - heightOn(ray, t) > t)
+        record(kLinear, t);
+        if (1.0f - height > t)
             continue;
         inside = t;
         if (found)

@@ -12,11 +12,13 @@ Hit trace(Ray ray)
     float outside = 0.0f;
     float inside = ray.end;
     float gapOutside = max(1.0f - heightOn(ray, 0.0f), 0.0f);
+    record(kLinear, 0.0f);
     float gapInside = 0.0f;
     for (int i = 1; i <= steps && !hit.found; ++i) {
         float t = stepAt(ray, i, steps);
         float gap = 1.0f - t - heightOn(ray, t);
         ++hit.fetches;
+        record(kLinear, t);
         if (gap <= 0.0f) {
             hit.found = true;
             inside = t;
@@ -32,6 +34,7 @@ Hit trace(Ray ray)
     for (int i = 0; i < refineSteps; ++i) {
         float gap = 1.0f - hit.t - heightOn(ray, hit.t);
         ++hit.fetches;
+        record(kSecant, hit.t);
         if (gap <= 0.0f) {
             inside = hit.t;
             gapInside = gap;
@@ -41,6 +44,7 @@ Hit trace(Ray ray)
         }
         hit.t = secantOf(outside, inside, gapOutside, gapInside);
     }
+    record(kSecant, hit.t);
     hit.uv = ray.uv + ray.duv * hit.t;
     return hit;
 }

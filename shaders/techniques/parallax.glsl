@@ -7,5 +7,6 @@ Hit trace(Ray ray)
 {
     float t = 1.0f - heightAt(ray.uv);
     float share = offsetLimiting ? t * ray.cosView : t;
+    record(kOffset, t);
     return Hit(ray.uv + ray.duv * share, t, true, 1);
 }

@@ -10,12 +10,15 @@ Hit trace(Ray ray)
     int steps = stepsFor(ray);
     // The height at the surface is read once, for the secant of the first step.
     float gap = max(1.0f - heightOn(ray, 0.0f), 0.0f);
+    record(kLinear, 0.0f);
     float outside = 0.0f;
     for (int i = 1; i <= steps; ++i) {
         float t = stepAt(ray, i, steps);
         float next = 1.0f - t - heightOn(ray, t);
+        record(kLinear, t);
         if (next <= 0.0f) {
             float found = secantOf(outside, t, gap, next);
+            record(kSecant, found);
             return Hit(ray.uv + ray.duv * found, found, true, i + 1);
         }
         outside = t;

@@ -58,6 +58,7 @@ Hit trace(Ray ray)
             if (least < highest || (least == highest && leave <= 0.0f)) { // the second: just on a wall it may touch a corner
                 highest -= bendLeast(1.0f - z, 1.0f - z + leave);
                 walk = moved(walk, slope, size, perTexel, max(z - highest, 0.0f));
+                record(kBox, 1.0f - heightOf(walk));
                 --level;
                 if (level > 0)
                     shelf -= ((base.y - 1) >> (first + level)) + 1;
@@ -67,11 +68,13 @@ Hit trace(Ray ray)
             float s = cellRoot(cornersAt(walk.cell), walk.p, slope, z, max(min(leave, z - lowest), 0.0f), past);
             if (s <= 1.0f) {
                 float t = clamp(1.0f - walk.z + (walk.below + s), 0.0f, 1.0f);
+                record(kCell, t);
                 return Hit(ray.uv + ray.duv * t, t, true, fetches);
             }
         }
         vec2 parent = floor(key / (2.0f * span));
         walk = moved(walk, slope, size, perTexel, leave * (1.0f + 2e-7f) + past);
+        record(level > 0 ? kBox : kCell, 1.0f - heightOf(walk));
         vec2 entered = floor(clamp(walk.cell, vec2(0.0f), size - 1.0f) / (2.0f * span));
         if (level < top && (entered.x != parent.x || entered.y != parent.y)) {
             if (level > 0)

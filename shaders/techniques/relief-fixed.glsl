@@ -13,12 +13,15 @@ Hit trace(Ray ray)
     float inside = ray.end;
     for (int i = 1; i < steps; ++i) {
         float t = size * float(i);
+        float height = heightOn(ray, t);
         ++hit.fetches;
-        if (1.0f - heightOn(ray, t) <= t) {
+        record(kLinear, t);
+        if (1.0f - height <= t) {
             inside = t;
             break;
         }
     }
+    record(kLinear, inside);
     hit = bisected(ray, hit, inside - size, inside, doublePrecision ? 5 : 6);
     hit.found = endsOnFloor(ray) || hit.t < ray.end - 0.01f * size; // a shadow ray that got through ends on its own point
     return hit;

@@ -13,8 +13,10 @@ Hit trace(Ray ray)
     float outside = 0.0f;
     for (int i = 1; i <= steps; ++i) {
         float t = stepAt(ray, i, steps);
+        float height = heightOn(ray, t);
         ++hit.fetches;
-        if (1.0f - heightOn(ray, t) <= t) {
+        record(kLinear, t);
+        if (1.0f - height <= t) {
             hit.found = true;
             return bisected(ray, hit, outside, t, refineSteps);
         }

@@ -14,10 +14,12 @@ Hit trace(Ray ray)
         vec2 uv = ray.uv + ray.duv * t;
         float root = distanceAt(vec3(uv.x, uv.y, t - bendFrom(t).x));
         ++leaps;
+        recordRead(kBall);
         float leap = (root * root * boundScale().x - tooLong) / speed;
         if (!(leap > 1e-5f))
             break;
         t += leap;
+        record(kBall, min(t, ray.end));
     }
     bool through = t >= ray.end;
     t = min(t, ray.end);

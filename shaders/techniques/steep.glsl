@@ -9,7 +9,9 @@ Hit trace(Ray ray)
     int steps = stepsFor(ray);
     for (int i = 1; i <= steps; ++i) {
         float t = stepAt(ray, i, steps);
-        if (1.0f - heightOn(ray, t) <= t)
+        float height = heightOn(ray, t);
+        record(kLinear, t);
+        if (1.0f - height <= t)
             return Hit(ray.uv + ray.duv * t, t, true, i);
     }
     return Hit(ray.uv + ray.duv * ray.end, ray.end, false, steps);

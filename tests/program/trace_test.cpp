@@ -52,6 +52,36 @@ TEST(Trace, TellsOfRaysThatItCannotAnswerAsTheyAre)
     EXPECT_EQ(warningsOf("relief"), "");
 }
 
+TEST(Inspect, TellsTheStepsOfTheRayThatTraceAnswers)
+{
+    TestFolder folder("inspect");
+    ASSERT_TRUE(writeAtomically(folder / "rays.csv", std::string_view("u,v,du,dv\n0.31,0.42,0.21,-0.1\n")));
+    for (const std::string technique : {"relief", "cone", "cell-cone", "parallax", "reference"}) {
+        const std::string state = " sample:bricks@64 --set depth=0.1 --technique " + technique;
+        const ProgramRun trace = runRelievo("trace" + state + " --rays " + (folder / "rays.csv") + " -o " + (folder / "hits.csv"));
+        const ProgramRun run = runRelievo("inspect" + state + " --ray 0.31,0.42,0.21,-0.1 --light --json");
+        ASSERT_EQ(trace.exitCode, 0) << trace.err;
+        ASSERT_EQ(run.exitCode, 0) << run.err;
+        const auto told = nlohmann::json::parse(run.out);
+        int found = 0, fetches = 0;
+        double t = 0, u = 0, v = 0;
+        ASSERT_EQ(
+            std::sscanf(readText(folder / "hits.csv")->c_str(), "hit,t,u,v,fetches\n%d,%lf,%lf,%lf,%d", &found, &t, &u, &v, &fetches), 5);
+        EXPECT_EQ(told["hit"]["found"], found == 1) << technique;
+        EXPECT_EQ(told["hit"]["t"], t) << technique;
+        EXPECT_EQ(told["hit"]["fetches"], fetches) << technique;
+        EXPECT_EQ(told["steps"].back()["to"], t) << technique;
+        EXPECT_TRUE(told["light"].is_object()) << technique;
+        const ProgramRun shown = runRelievo("inspect" + state + " --ray 0.31,0.42,0.21,-0.1");
+        EXPECT_NE(shown.out.find(told["verdict"].get<std::string>()), std::string::npos) << shown.out;
+    }
+    for (const std::string ray : {"0.5,0.5,1", "0.5,0.5,1,a", "0,0,0,0,0", "nan,0,0,0"}) {
+        const ProgramRun run = runRelievo("inspect sample:bricks@16 --ray " + ray);
+        EXPECT_EQ(run.exitCode, 2) << ray;
+        EXPECT_NE(run.err.find("Write four finite numbers"), std::string::npos) << run.err;
+    }
+}
+
 TEST(Trace, FilesThatAreNotThereAreToldThoughTheyPlayNoPart)
 {
     TestFolder folder("not_there");
