@@ -30,6 +30,7 @@ enum class Action {
     Smoother,
     LightTheme,
     Panels,
+    RayInspector,
     Shortcuts,
     About,
 };
@@ -197,6 +198,14 @@ inline constexpr auto kActions = std::to_array<ActionRow>({
         .icon = "panels",
         .toggles = true,
         .help = "Shows or hides the panels beside the picture."},
+    {.action = Action::RayInspector,
+        .key = "ray-inspector",
+        .menu = "View",
+        .label = "Ray inspector",
+        .shortcut = "I",
+        .icon = "ray",
+        .toggles = true,
+        .help = "Shows how each technique searches along the ray of the point that is clicked, and why it is right or wrong."},
 
     {.action = Action::Shortcuts,
         .key = "shortcuts",

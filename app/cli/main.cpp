@@ -29,8 +29,8 @@ struct CommandRow {
     std::string_view key;
     AddCommand add;
 };
-constexpr CommandRow kCommands[] = {{"render", addRender}, {"trace", addTrace}, {"inspect", addInspect}, {"bake", addBake}, {"export", addExport},
-    {"describe", addDescribe}, {"info", addInfo}, {"report", addReport}, {"tune", addTune}, {"compare", addCompare}};
+constexpr CommandRow kCommands[] = {{"render", addRender}, {"trace", addTrace}, {"inspect", addInspect}, {"bake", addBake},
+    {"export", addExport}, {"describe", addDescribe}, {"info", addInfo}, {"report", addReport}, {"tune", addTune}, {"compare", addCompare}};
 
 void warnOf(const char* variable, const char* value, const char* cure)
 {

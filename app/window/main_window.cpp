@@ -5,6 +5,8 @@
 #include "app/window/clipboard.h"
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/document/files.h"
+#include "app/window/inspector/picking.h"
+#include "app/window/inspector/ray_inspector.h"
 #include "app/window/page.h"
 #include "app/window/panels/animation_bar.h"
 #include "app/window/panels/drop_frame.h"
@@ -17,28 +19,21 @@
 #include "app/window/widgets/number_field.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
-#include <QApplication>
 #include <QCloseEvent>
 
 namespace relievo {
-namespace {
-void setLook(Look look)
-{
-    saveLook(look);
-    applyLook(*qApp, look);
-}
-} // namespace
 
 MainWindow::MainWindow()
     : m_assets(m_document, m_messages)
     , m_files(new Files(m_document, m_assets, m_messages, this))
     , m_viewport(new Viewport(m_document, m_assets, m_messages))
     , m_animation(new AnimationBar(m_document, m_assets))
+    , m_inspector(new RayInspector(m_document, m_assets))
     , m_maps(new MapPanel(m_document, m_assets))
     , m_parameters(new ParameterPanel(m_document))
     , m_line(new MessageLine(m_messages, m_assets.background()))
     , m_top(new TopBar(*m_files, this))
-    , m_page(new Page({m_maps, m_viewport, m_animation, m_parameters, m_line}))
+    , m_page(new Page({m_maps, m_viewport, {m_inspector, m_animation}, m_parameters, m_line}))
 {
     setAcceptDrops(true);
     setCentralWidget(m_page);
@@ -46,6 +41,8 @@ MainWindow::MainWindow()
     new DropNote(m_messages, this);
     new DropFrame(m_viewport, this);
     connectAll();
+    connectPicking(*m_inspector, *m_viewport, m_document);
+    connect(m_inspector, &RayInspector::closed, m_top->action(Action::RayInspector), &QAction::trigger);
     m_page->restore(*this);
     showPanels(m_page->panelsShown());
     documentChanged();
@@ -101,9 +98,11 @@ void MainWindow::run(Action action, bool on)
     case Action::Smoother:
         return viewport().wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
     case Action::LightTheme:
-        return setLook(on ? Look::Light : Look::Dark);
+        return chooseLook(on ? Look::Light : Look::Dark);
     case Action::Panels:
         return showPanels(on);
+    case Action::RayInspector:
+        return m_inspector->setVisible(on);
     case Action::Shortcuts:
         return showShortcuts(this);
     case Action::About:

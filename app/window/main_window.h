@@ -16,6 +16,7 @@ class MapPanel;
 class MessageLine;
 class Page;
 class ParameterPanel;
+class RayInspector;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -33,6 +34,7 @@ public:
     MapPanel& maps() { return *m_maps; }
     ParameterPanel& parameters() { return *m_parameters; }
     MessageLine& messageLine() { return *m_line; }
+    RayInspector& inspector() { return *m_inspector; }
     QAction* action(std::string_view key) const { return m_top->action(findAction(key)->action); } // of kActions
 
     void setTechnique(std::string_view key); // of the active pane
@@ -61,6 +63,7 @@ private:
     Files* m_files;
     Viewport* m_viewport;
     AnimationBar* m_animation;
+    RayInspector* m_inspector;
     MapPanel* m_maps;
     ParameterPanel* m_parameters;
     MessageLine* m_line;

@@ -37,7 +37,8 @@ Page::Page(const Parts& parts, QWidget* parent)
     auto* centre = new QWidget;
     auto* middle = column(centre);
     middle->addWidget(parts.picture, 1);
-    middle->addWidget(parts.underPicture);
+    for (QWidget* part : parts.underPicture)
+        middle->addWidget(part);
     auto* beside = column(m_side);
     m_tabs->setObjectName("panel");
     m_tabs->setCurrent(0);

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <QWidget>
+#include <vector>
 
 class QSplitter;
 
@@ -16,7 +17,9 @@ class Page : public QWidget {
 public:
     // What stands left, in the middle, under it, right and along the bottom. Owned by the page.
     struct Parts {
-        QWidget *maps, *picture, *underPicture, *parameters, *messages;
+        QWidget *maps, *picture;
+        std::vector<QWidget*> underPicture;
+        QWidget *parameters, *messages;
     };
     explicit Page(const Parts& parts, QWidget* parent = nullptr);
     void showPanels(bool on); // on both sides

@@ -5,6 +5,7 @@
 #include "app/window/document/editing.h"
 #include "app/window/document/files.h"
 #include "app/window/document/starting_scene.h"
+#include "app/window/inspector/ray_inspector.h"
 #include "app/window/main_window.h"
 #include "app/window/panels/map_panel.h"
 #include "app/window/panels/message_line.h"
@@ -49,6 +50,24 @@ struct Scene {
     Look look;
     std::function<void(MainWindow&)> prepare;
 };
+
+// The ray inspector, on two techniques.
+void inspectRay(MainWindow& window, const char* first, const char* second)
+{
+    window.document().edit("Compare two techniques", [&](State& state) {
+        setPaneCount(state, 2);
+        state.mesh = "plane";
+        state.camera = Camera{};
+        state.parameters.silhouettes = Silhouettes::Off;
+        state.parameters.depth = 0.2f;
+        state.panes[0].technique = first;
+        state.panes[1].technique = second;
+    });
+    workUntil([&] { return window.viewport().isSettled(); });
+    window.action("ray-inspector")->trigger();
+    window.inspector().pick({0, {0.42f, 0.36f}, 1.f});
+    workUntil([&] { return !window.inspector().busy(); });
+}
 
 void twoPanes(MainWindow& window)
 {
@@ -171,6 +190,9 @@ const Scene kScenes[] = {
             dialog->run();
             dialog->move(500, 260);
         }},
+    {"inspector", {1280, 800}, Look::Dark, [](MainWindow& window) { inspectRay(window, "relief", "cell-cone"); }},
+    {"inspector-cones", {1280, 800}, Look::Light, [](MainWindow& window) { inspectRay(window, "cone", "sphere"); }},
+    {"inspector-small", {800, 600}, Look::Dark, [](MainWindow& window) { inspectRay(window, "steep", "pyramid"); }},
     {"menu", {1280, 800}, Look::Dark,
         [](MainWindow& window) {
             QMenuBar* bar = window.findChild<QMenuBar*>("menu");

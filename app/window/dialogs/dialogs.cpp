@@ -20,7 +20,8 @@ struct FileKindRow {
 };
 constexpr const char* kImages = "png jpg jpeg tif tiff tga bmp exr hdr dds";
 constexpr FileKindRow kFileKinds[] = {
-    {"source", "Projects, images and materials", "relievo png jpg jpeg tif tiff tga bmp exr hdr dds gltf glb obj tres mat material mtlx json babylon"},
+    {"source", "Projects, images and materials",
+        "relievo png jpg jpeg tif tiff tga bmp exr hdr dds gltf glb obj tres mat material mtlx json babylon"},
     {"project", "Projects", "relievo"},
     {"image", "Images", kImages},
     {"mesh", "Meshes", "gltf glb obj ply stl off"},

@@ -88,7 +88,7 @@ void Navigator::press(const QMouseEvent& event)
     m_pane = pane;
     m_drag = gestureFor(event.button(), event.modifiers(), m_keys.contains(Qt::Key_L));
     m_dragButton = event.button();
-    m_last = event.position();
+    m_last = m_pressedAt = event.position();
     if (m_drag == Gesture::Light)
         m_document.beginGesture();
     if (m_drag == Gesture::Fly)
@@ -133,8 +133,12 @@ void Navigator::turn(double dx, double dy)
 
 void Navigator::release(const QMouseEvent& event)
 {
-    if (m_drag && event.button() == m_dragButton)
-        endDrag();
+    if (!m_drag || event.button() != m_dragButton)
+        return;
+    const bool still = (event.position() - m_pressedAt).manhattanLength() < 3 && m_drag == Gesture::Orbit;
+    endDrag();
+    if (still)
+        Q_EMIT clicked(m_pane, event.position());
 }
 
 void Navigator::endDrag()

@@ -44,6 +44,7 @@ Q_SIGNALS:
     void wheeled();
     void hint(const QString& text); // "" when there is none any more
     void ended(bool movedCamera); // of a gesture
+    void clicked(std::size_t pane, QPointF position); // the left button, and the hand lay still
 
 protected:
     bool eventFilter(QObject* widget, QEvent* event) override;
@@ -68,7 +69,7 @@ private:
     std::optional<Gesture> m_drag;
     Qt::MouseButton m_dragButton = Qt::NoButton;
     std::size_t m_pane = 0; // that the gesture began in
-    QPointF m_last;
+    QPointF m_last, m_pressedAt;
     QSet<int> m_keys; // held down
     QTimer m_flying;
     QElapsedTimer m_flyClock;

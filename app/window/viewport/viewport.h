@@ -40,6 +40,7 @@ public:
 Q_SIGNALS:
     void activePaneChanged(int pane);
     void painted(bool full);
+    void clicked(std::size_t pane, QPointF position);
 
 protected:
     void initializeGL() override;

@@ -133,8 +133,9 @@ Look savedLook()
     return QSettings().value("look").toString() == "light" ? Look::Light : Look::Dark;
 }
 
-void saveLook(Look look)
+void chooseLook(Look look)
 {
+    applyLook(*qApp, look);
     QSettings().setValue("look", look == Look::Light ? "light" : "dark");
 }
 

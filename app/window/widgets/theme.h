@@ -18,7 +18,7 @@ enum class Look { Dark, Light };
 // Sets palette, font and style sheet of the whole program; may be called again to change it.
 void applyLook(QApplication& application, Look look);
 Look savedLook(); // of the user's settings, dark at first
-void saveLook(Look look);
+void chooseLook(Look look); // applies and keeps it
 
 // A grid of 4 px.
 inline constexpr int kGrid = 4;
