@@ -53,7 +53,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     connect(m_navigator, &Navigator::wheeled, this, [this] { refresh(true); });
     connect(m_navigator, &Navigator::hint, this, [this](const QString& text) { m_overlays.say(text); });
     connect(m_navigator, &Navigator::clicked, this, &Viewport::clicked);
-    connect(m_navigator, &Navigator::ended, this, [this](bool movedCamera) { movedCamera && m_moving ? refresh(false) : void(); });
+    connect(m_navigator, &Navigator::ended, this, [this](bool movedCamera) { movedCamera&& m_moving ? refresh(false) : void(); });
     updateOverlays();
 }
 
