@@ -6,6 +6,7 @@
 #include "core/ground/file.h"
 #include "core/image/files/image_file.h"
 #include "core/scene/source.h"
+#include "core/state/techniques.h"
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -220,6 +221,35 @@ TEST_F(Engines, BoundsAreThoseOfTheHeightsBesideThem)
         const Image one = readImage(m_folder / "small" / file)->image, other = readImage(m_folder / "whole" / file)->image;
         EXPECT_EQ(one.width, other.width) << file;
         EXPECT_EQ(one.data, other.data) << file;
+    }
+}
+
+// The technique is complete between its marks, under the names of the GLSL, and nothing of the shading stands there.
+TEST_F(Engines, HlslAndMetalKeepTheTechniqueTogether)
+{
+    make(0.f, 1.f, true);
+    for (const TechniqueRow& technique : kTechniques) {
+        if (technique.file.empty())
+            continue;
+        m_state.panes.front().technique = technique.key;
+        for (const auto& [key, file, uniform] :
+            {std::tuple("hlsl", "relief.hlsl", "u_reliefDepth"), std::tuple("msl", "relief.metal", "u.reliefDepth")}) {
+            const Expected<Exported> exported = run(key, key);
+            ASSERT_TRUE(exported) << technique.key << ": " << message(exported.error());
+            const std::string text = textOfFile(m_folder / key / file);
+            const std::size_t from = text.find("// >>> technique\n"), to = text.find("// <<< technique\n");
+            ASSERT_LT(from, to) << technique.key;
+            const std::string search = text.substr(from, to - from), rest = text.substr(0, from) + text.substr(to);
+            for (const char* part : {"Hit trace(", "struct Ray", "struct Hit"}) {
+                EXPECT_NE(search.find(part), std::string::npos) << technique.key << ' ' << key << ' ' << part;
+                EXPECT_EQ(rest.find(part), std::string::npos) << technique.key << ' ' << key << ' ' << part;
+            }
+            EXPECT_EQ(search.find("shade("), std::string::npos) << technique.key;
+            EXPECT_NE(rest.find(uniform), std::string::npos) << technique.key;
+            EXPECT_NE(rest.find("float reliefDepth; // 0.08 m"), std::string::npos) << technique.key;
+            EXPECT_FALSE(std::regex_search(text, std::regex(R"(\b_m[0-9]+\b)"))) << technique.key << " has members without names";
+            EXPECT_NE(text.find(technique.needsHeights() ? "heightMap" : "colorMap"), std::string::npos) << technique.key;
+        }
     }
 }
 
