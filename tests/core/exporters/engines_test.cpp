@@ -253,6 +253,30 @@ TEST_F(Engines, HlslAndMetalKeepTheTechniqueTogether)
     }
 }
 
+// What the loaders of web engines read: bytes, and nothing that only this renderer provides. A technique that does not fit pictures is left
+// out and told; the engine's own material is written all the same.
+TEST_F(Engines, WebEnginesGetTheTechniqueToo)
+{
+    make(0.f, 1.f, true);
+    m_state.name = "m";
+    for (const char* key : {"three", "babylon", "playcanvas"}) {
+        m_state.panes.front().technique = "cell-cone";
+        ASSERT_TRUE(run(key, "fits"));
+        const std::string text = textOfFile(m_folder / "fits/m.mjs");
+        for (const char* part : {"function reliefMaterial", "uniform sampler2D boundLowMap", "reliefDepth: [\"float\",0.08]", "ormMap, uv"})
+            EXPECT_NE(text.find(part), std::string::npos) << key << ' ' << part;
+        for (const char* part : {"usampler2D cellMap", "boundScales", "sampler2D roughnessMap"})
+            EXPECT_EQ(text.find(part), std::string::npos) << key << ' ' << part;
+        m_state.panes.front().technique = "sphere";
+        const Expected<Exported> plain = run(key, "plain");
+        ASSERT_TRUE(plain) << message(plain.error());
+        EXPECT_EQ(std::ranges::count(plain->warnings, "technique-left-out", &Warning::code), 1) << key;
+        const std::string without = textOfFile(m_folder / "plain/m.mjs");
+        EXPECT_NE(without.find("function material"), std::string::npos) << key;
+        EXPECT_EQ(without.find("reliefMaterial("), std::string::npos) << key;
+    }
+}
+
 TEST_F(Engines, WhatAnEngineGetsWrongIsTold)
 {
     make(0.f, 1.f);
