@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <unistd.h>
 
 using namespace relievo;
@@ -249,6 +250,48 @@ TEST_F(Engines, HlslAndMetalKeepTheTechniqueTogether)
             EXPECT_NE(rest.find("float reliefDepth; // 0.08 m"), std::string::npos) << technique.key;
             EXPECT_FALSE(std::regex_search(text, std::regex(R"(\b_m[0-9]+\b)"))) << technique.key << " has members without names";
             EXPECT_NE(text.find(technique.needsHeights() ? "heightMap" : "colorMap"), std::string::npos) << technique.key;
+        }
+    }
+}
+
+// 16 is what WebGL2 and Direct3D's and OpenGL's smallest machines read in one program.
+TEST_F(Engines, NoProgramReadsMoreThanSixteenTextures)
+{
+    make(0.f, 1.f, true);
+    m_state.name = "m";
+    const std::pair<const char*, const char*> programs[]
+        = {{"glsl", "relief_410.frag"}, {"glsl", "relief_es300.frag"}, {"hlsl", "relief.hlsl"}, {"msl", "relief.metal"},
+            {"godot4-shader", "m.gdshader"}, {"three", "m.mjs"}, {"babylon", "m.mjs"}, {"playcanvas", "m.mjs"}, {"unreal", "m.py"}};
+    const std::regex texture(R"((^|\n|\\n) *(uniform (highp )?[iu]?sampler\w+ |Texture[23]D[^\n]*;)|\[\[texture\()");
+    const auto texturesOf = [&](const std::string& text) {
+        return std::distance(std::sregex_iterator(text.begin(), text.end(), texture), std::sregex_iterator());
+    };
+    std::set<std::pair<std::string_view, bool>> seen; // which textures a search reads follows from these
+    for (const TechniqueRow& technique : kTechniques) {
+        if (technique.file.empty() || !seen.emplace(technique.accelerationMap, technique.isExact).second)
+            continue;
+        m_state.panes.front().technique = technique.key;
+        for (const Shading shading : {Shading::MetallicRoughness, Shading::BlinnPhong}) {
+            m_state.parameters.shading = shading;
+            for (const auto& [key, file] : programs) {
+                if (technique.key == "sphere" && std::string_view(key) == "godot4-shader")
+                    continue; // refuses volumes
+                const Expected<Exported> exported = run(key, key);
+                ASSERT_TRUE(exported) << key << ' ' << technique.key << ": " << message(exported.error());
+                const std::string text = textOfFile(m_folder / key / file);
+                EXPECT_LE(texturesOf(text), 16) << key << ' ' << technique.key;
+                if (technique.needsHeights() && technique.key != "sphere") {
+                    EXPECT_GE(texturesOf(text), 1) << key << ' ' << technique.key << ": none was counted";
+                }
+            }
+            ExportJob page = job(m_folder / "page.html");
+            ASSERT_TRUE(findExport("web")->run(page));
+            const std::string text = textOfFile(page.out);
+            for (std::size_t at = text.find("#version"); at != text.npos;) {
+                const std::size_t next = text.find("#version", at + 1);
+                EXPECT_LE(texturesOf(text.substr(at, next - at)), 16) << "web " << technique.key;
+                at = next;
+            }
         }
     }
 }
