@@ -219,7 +219,9 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
             .property = "Height Ratio",
             .greenDown = true,
             .limits = "The depth of steep views ends in steps where Max Steps are few."},
-        .help = "Python for the editor that imports the textures and makes the material, with the parallax occlusion node wired."},
+        .help = "Python for the editor that imports the textures and makes the material: the parallax occlusion node is wired, a Custom "
+                "node with "
+                "this technique stands beside it. Not run in the engine."},
     {.key = "o3de",
         .label = "O3DE",
         .engine = {.version = "24.09, by its published formula",
@@ -246,7 +248,8 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
             .bits = 8,
             .limits
             = "15 steps whatever the view, and the ray ends before the full depth: at 0.58 of it straight down, 0.8 at 70 degrees."},
-        .help = "ES module that makes a PBRMaterial with parallax occlusion; the height lies in the alpha of the normal map."},
+        .help = "ES module of two materials: a PBRMaterial with parallax occlusion, its height in the alpha of the normal map, and a "
+                "ShaderMaterial with this technique."},
     {.key = "playcanvas",
         .label = "PlayCanvas",
         .engine = {.version = "2.23, run",
@@ -257,7 +260,7 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
             .bits = 8,
             .limits = "At most 16 samples, and never more than 5 depths sideways: grazing views are too shallow. Versions before 2.22 draw "
                       "an offset only."},
-        .help = "ES module that makes a StandardMaterial with parallax occlusion."},
+        .help = "ES module of two materials: a StandardMaterial with parallax occlusion, and a ShaderMaterial with this technique."},
     {.key = "three",
         .label = "three.js",
         .engine = {.version = "0.187, run",
@@ -265,8 +268,8 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
             .property = "displacementScale",
             .of = DepthOf::Metres,
             .bits = 8,
-            .limits = "three.js has no parallax: vertices are moved, so the mesh must be finely divided."},
-        .help = "ES module that makes a MeshStandardMaterial with a displacement map."},
+            .limits = "three.js has no parallax of its own: vertices are moved, so the mesh must be finely divided."},
+        .help = "ES module of two materials: a MeshStandardMaterial with a displacement map, and a ShaderMaterial with this technique."},
     {.key = "blender",
         .label = "Blender",
         .engine = {.version = "3.4, run",
@@ -299,6 +302,23 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
             .of = DepthOf::Metres,
             .limits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's."},
         .help = "This technique as complete shaders of GLSL 4.10 and ES 3.00 (WebGL2), with its textures; each uniform tells its value."},
+    {.key = "hlsl",
+        .label = "HLSL",
+        .engine = {.zeroIsFree = true,
+            .property = "u_reliefDepth",
+            .of = DepthOf::Metres,
+            .limits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's."},
+        .help
+        = "This technique as complete shaders of HLSL 5.0, translated from ours, with its textures; the head tells each uniform's value."},
+    {.key = "msl",
+        .label = "Metal",
+        .engine = {.zeroIsFree = true,
+            .property = "u.reliefDepth",
+            .of = DepthOf::Metres,
+            .limits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's."},
+        .help
+        = "This technique as complete shaders of the Metal Shading Language, translated from ours, with its textures; the head tells each "
+          "uniform's value."},
     {.key = "packed",
         .label = "Packed textures",
         .help = "Base color, normal and height, and occlusion, roughness and metallic in one texture: what most engines and painting "

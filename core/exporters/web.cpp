@@ -4,6 +4,7 @@
 #include "core/exporters/engines/embedded_targets.h"
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
+#include "core/exporters/uniform_values.h"
 #include "core/exporters/web_data.h"
 #include "core/ground/file.h"
 #include "core/mesh/animation/pose.h"
@@ -49,46 +50,6 @@ Expected<std::vector<Side>> sidesOf(const ExportJob& job)
     return sides;
 }
 
-WebJson told(float value)
-{
-    return shortest(value);
-}
-WebJson told(int value)
-{
-    return value;
-}
-WebJson told(bool value)
-{
-    return int(value);
-}
-template <class Vector> WebJson told(const Vector& value) // or a matrix, column by column
-{
-    WebJson numbers = WebJson::array();
-    const auto* first = &value[0];
-    if constexpr (requires { (*first)[0]; })
-        for (int i = 0; i < value.length(); ++i)
-            for (int k = 0; k < value[i].length(); ++k)
-                numbers.push_back(shortest(value[i][k]));
-    else
-        for (int i = 0; i < value.length(); ++i)
-            numbers.push_back(shortest(value[i]));
-    return numbers;
-}
-
-// All that do not follow from the page's camera and light, by name.
-WebJson uniformsOf(const ExportJob& job, const Side& side)
-{
-    WebJson uniforms;
-    for (const ParameterRow& row : kParameters)
-        uniforms[std::string(row.key)] = std::visit([](auto value) { return told(value); }, get(side.parameters, row));
-    const Mesh& mesh = *job.resources.mesh;
-    SceneUniforms scene = sceneUniforms(side.parameters, cameraOnto(mesh, cameraOf(job.state, 0), 1.f), mesh.metresPerUV);
-    scene.pushOut = side.technique.displaces ? (1.f - side.parameters.midlevel) * scene.reliefDepth : 0.f;
-    for (const SceneUniformRow& row : kSceneUniforms)
-        uniforms[std::string(row.name)] = std::visit([&](auto member) { return told(scene.*member); }, row.member);
-    return uniforms;
-}
-
 // Programs, uniforms, and the map that the technique searches by. `shown`: the maps that are not left out.
 Expected<WebJson> sideJson(const ExportJob& job, const Side& side, const std::optional<HeightField>& field, EnumSet<MapKind> shown)
 {
@@ -98,7 +59,7 @@ Expected<WebJson> sideJson(const ExportJob& job, const Side& side, const std::op
     if (!program)
         return tl::unexpected(program.error());
     WebJson json = {{"label", side.technique.label}, {"vertex", program->vertex.text}, {"fragment", program->fragment.text},
-        {"uniforms", uniformsOf(job, side)},
+        {"uniforms", uniformValues(side.parameters, side.technique, job)},
         {"covers", features.variant(&Parameters::depthOfHit) != 0 && !shown.contains(MapKind::Opacity)}};
     if (side.technique.accelerationMap.empty() || !field)
         return json;
@@ -109,7 +70,7 @@ Expected<WebJson> sideJson(const ExportJob& job, const Side& side, const std::op
     Expected<WebJson> bound = webBound(**map);
     if (!bound)
         return bound;
-    json["uniforms"]["boundScales[0]"] = told((*map)->scales.front());
+    json["uniforms"]["boundScales[0]"] = jsonOf((*map)->scales.front());
     json["bound"] = std::move(*bound);
     return json;
 }
@@ -132,11 +93,11 @@ WebJson cameraJson(const ExportJob& job)
     const Camera& camera = cameraOf(job.state, 0);
     const Mesh& mesh = *job.resources.mesh;
     WebJson json = {{"yaw", shortest(camera.yaw)}, {"pitch", shortest(camera.pitch)}, {"fov", shortest(camera.fov)},
-        {"fill", shortest(camera.fill)}, {"least", told(mesh.boundsMin)}, {"most", told(mesh.boundsMax)}};
+        {"fill", shortest(camera.fill)}, {"least", jsonOf(mesh.boundsMin)}, {"most", jsonOf(mesh.boundsMax)}};
     if (camera.distance)
         json["distance"] = shortest(*camera.distance);
     if (camera.target)
-        json["target"] = told(*camera.target);
+        json["target"] = jsonOf(*camera.target);
     return json;
 }
 

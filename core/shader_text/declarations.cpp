@@ -54,6 +54,9 @@ std::string uniformDeclarations(const std::string& text)
     }
     declare("float", "heightMapLast"); // its last mip level
     declare("sampler2D", "boundMap"); // of the technique, by what it is: filtered or heights, codes, a volume
+    for (const char* map : {"boundHighMap", "boundLowMap", "ormMap"}) // see exportedForLoaders
+        declare("sampler2D", map);
+    declare("float", "ormMapLevels");
     declare("usampler2D", "cellMap");
     declare("sampler3D", "distanceMap");
     if (mentionsIdentifier(text, "boundScales"))

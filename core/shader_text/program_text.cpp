@@ -5,6 +5,7 @@
 #include "core/image/material.h"
 #include "core/maps/maps.h"
 #include "core/shader_text/assembly.h"
+#include "core/shader_text/search_files.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include <cmath>
@@ -13,10 +14,22 @@ namespace relievo {
 
 namespace {
 
+// Of an engine's pictures, where several maps lie in one.
+struct PackedMap {
+    MapKind kind;
+    std::string_view map, channel;
+};
+constexpr std::array<PackedMap, 4> kPackedMaps = {{{MapKind::AmbientOcclusion, "ormMap", ".r"}, {MapKind::Roughness, "ormMap", ".g"},
+    {MapKind::Metallic, "ormMap", ".b"}, {MapKind::Opacity, "colorMap", ".a"}}};
+
 // "vec3 colorAt(vec2 uv, float footprint)": the map at an explicit mip level, or a constant.
-std::string mapFunction(const MapKindRow& row, bool present, bool gloss)
+std::string mapFunction(const MapKindRow& row, bool present, bool gloss, bool packed)
 {
     const bool scalar = row.channels == 1;
+    const auto in = std::ranges::find(kPackedMaps, row.kind, &PackedMap::kind);
+    if (packed && present && in != kPackedMaps.end())
+        return "float " + std::string(row.key) + "At(vec2 uv, float footprint) { return textureLod(" + std::string(in->map)
+            + ", uv, max(0.0f, footprint + " + std::string(in->map) + "Levels))" + std::string(in->channel) + "; }\n";
     const std::string map = gloss ? "glossMap" : std::string(row.key) + "Map";
     std::string text = std::string(scalar ? "float " : "vec3 ") + std::string(row.key) + "At(vec2 uv, float footprint) { return ";
     if (!present)
@@ -25,13 +38,13 @@ std::string mapFunction(const MapKindRow& row, bool present, bool gloss)
     return text + (gloss ? "1.0f - " + fetch : fetch) + "; }\n";
 }
 
-std::string mapFunctions(EnumSet<MapKind> maps, std::string_view text)
+std::string mapFunctions(EnumSet<MapKind> maps, std::string_view text, bool packed)
 {
     std::string functions;
     for (const MapKindRow& row : kMapKinds) {
         const bool gloss = row.kind == MapKind::Roughness && !maps.contains(MapKind::Roughness) && maps.contains(MapKind::Gloss);
         if (row.kind != MapKind::Height && mentionsIdentifier(text, std::string(row.key) + "At"))
-            functions += mapFunction(row, gloss || maps.contains(row.kind), gloss);
+            functions += mapFunction(row, gloss || maps.contains(row.kind), gloss, packed);
     }
     return functions;
 }
@@ -51,42 +64,13 @@ void variantFiles(Assembly& part, const ProgramFeatures& features, ShaderPlace p
             part.file(shader.files[features.variants[i]]);
 }
 
-// What the technique reads its acceleration map by.
-void accelerationFiles(Assembly& part, const TechniqueRow& technique, std::string_view filtered, std::string_view volume,
-    std::string_view codes = "bounds/codes_texels.glsl")
-{
-    if (technique.accelerationMap.empty())
-        return;
-    const MapForm form = findBakedMap(technique.accelerationMap)->form;
-    if (form == MapForm::Pyramid || form == MapForm::Codes)
-        part.file(form == MapForm::Pyramid ? "bounds/node_texels.glsl" : codes);
-    else
-        part.file("bounds/bounds_scale.glsl").file(form == MapForm::Volume ? volume : filtered);
-}
-
-// Heights and acceleration maps of the finest level, interpolated by the text.
-void exactFiles(Assembly& part, const TechniqueRow& technique, Dialect dialect, std::string_view edges, std::string_view bend)
-{
-    part.file("heights/stored_exact.glsl");
-    if (technique.needsHeights())
-        part.file("heights/level_base.glsl")
-            .file(edges)
-            .file("heights/wrapped_texel.glsl")
-            .file(dialect == Dialect::Desktop ? "heights/heights_corners.glsl" : "heights/heights_corners_texels.glsl")
-            .file("heights/heights_exact.glsl")
-            .file(bend)
-            .file("search/height_on.glsl");
-    accelerationFiles(part, technique, "bounds/bounds_exact.glsl", "bounds/volume_exact.glsl");
-    part.file(technique.file);
-}
-
 // The technique and what it reads the maps by, for pictures.
 void searchFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& view, const ProgramFeatures& features)
 {
     if (features.exported && features.dialect == Dialect::Es) {
         part.file("heights/heights_none.glsl");
-        return exactFiles(part, technique, features.dialect, features.clamps ? "heights/edges_clamp.glsl" : "heights/edges_repeat.glsl",
-            "search/bend_none.glsl");
+        return exactFiles(part, technique, features.planes ? kPlanes : kExactEs,
+            features.clamps ? "heights/edges_clamp.glsl" : "heights/edges_repeat.glsl", "search/bend_none.glsl");
     }
     const bool filtered = technique.needsHeights() && (!technique.isExact || features.coarser); // else no level is chosen by pixel
     part.file(!filtered ? "heights/heights_none.glsl" : features.exported ? "heights/heights_plain.glsl" : "heights/heights_filtered.glsl");
@@ -97,7 +81,7 @@ void searchFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& v
             .file("heights/wrapped_texel.glsl")
             .file(features.coarser ? "heights/heights_corners_texels.glsl" : "heights/heights_corners.glsl");
     }
-    accelerationFiles(part, technique, "bounds/bounds_filtered.glsl", "bounds/volume_filtered.glsl");
+    accelerationFiles(part, technique, kFiltered);
     if (filtered)
         part.file("search/height_on.glsl");
     part.file(technique.file);
@@ -164,7 +148,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         part.generated(kTechniqueEnds);
     part.file("surface/surface.glsl");
     variantFiles(part, features, ShaderPlace::Surface);
-    part.generated(mapFunctions(features.maps, drafted->text));
+    part.generated(mapFunctions(features.maps, drafted->text, features.planes));
     const long hundredths = std::lround(100.f * technique->meshDepth()); // as whole numbers, which no locale writes otherwise
     part.generated("const float meshDepth = " + std::to_string(hundredths) + ".0f / 100.0f;\n");
     viewRayFiles(part, *view, features);
@@ -254,27 +238,70 @@ ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRo
     return features;
 }
 
+ProgramFeatures exportedForLoaders(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps)
+{
+    EnumSet<MapKind> packed;
+    for (const MapKindRow& row : kMapKinds)
+        if (maps.contains(row.kind) && row.kind != MapKind::Specular) // which engines' materials do not have
+            packed.insert(row.kind);
+    ProgramFeatures features = exportedFeatures(parameters, technique, packed, Dialect::Es);
+    features.planes = true;
+    features.setVariant(&Parameters::depthOfHit, 0);
+    return features;
+}
+
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read)
 {
     return program(meshVertex(features, read), meshFragment(features, read));
 }
 
-Expected<std::string> searchForGodot(const TechniqueRow& technique, bool clamps, const ShaderReader& read)
+namespace {
+Expected<void> checkFitsPictures(const TechniqueRow& technique, const std::string& engine)
 {
     const bool isVolume = !technique.accelerationMap.empty() && findBakedMap(technique.accelerationMap)->form == MapForm::Volume;
     if (technique.file.empty() || isVolume)
-        return failure(std::string(technique.key), "this technique cannot run in Godot: it has no shader, or reads a volume",
+        return failure(std::string(technique.key), "this technique cannot run in " + engine + ": it has no shader, or reads a volume",
             "Choose another one, such as cell-cone");
+    return {};
+}
+} // namespace
+
+Expected<std::string> searchForUnreal(const TechniqueRow& technique, bool clamps, const ShaderReader& read)
+{
+    if (auto fits = checkFitsPictures(technique, "Unreal"); !fits)
+        return tl::unexpected(fits.error());
+    Assembly part(read, Dialect::Desktop, true);
+    part.file("search/contract.glsl")
+        .file("search/bend_none.glsl")
+        .file("heights/level_base.glsl")
+        .file(clamps ? "heights/edges_clamp.glsl" : "heights/edges_repeat.glsl")
+        .file("heights/wrapped_texel.glsl");
+    if (technique.isExact)
+        part.file("heights/heights_corners_texels.glsl");
+    else if (technique.needsHeights())
+        part.file("heights/heights_plain.glsl").file("search/height_on.glsl");
+    accelerationFiles(part, technique, kPlanes);
+    part.file(technique.file)
+        .generated(
+            "in vec4 givenWay;\nin float givenCosine;\nlayout(location = 0) out vec4 foundPlace;\n"
+            "void main() { Hit hit = trace(Ray(givenWay.xy, givenWay.zw, givenCosine, 1.0f)); foundPlace = vec4(hit.uv, hit.t, 1.0f); }");
+    return part.finish().map([](const ShaderText& whole) { return whole.text; });
+}
+
+Expected<std::string> searchForGodot(const TechniqueRow& technique, bool clamps, const ShaderReader& read)
+{
+    if (auto fits = checkFitsPictures(technique, "Godot"); !fits)
+        return tl::unexpected(fits.error());
     Assembly part(read, Dialect::Desktop, true);
     part.file("search/contract.glsl").file("search/bend_none.glsl");
     if (technique.isExact)
         part.file("heights/level_base.glsl")
             .file(clamps ? "heights/edges_clamp.glsl" : "heights/edges_repeat.glsl")
             .file("heights/wrapped_texel.glsl")
-            .file("heights/corners_planes.glsl");
+            .file(kGodot.corners);
     else if (technique.needsHeights())
         part.file("heights/heights_plain.glsl").file("search/height_on.glsl");
-    accelerationFiles(part, technique, "bounds/bounds_filtered.glsl", "", "bounds/codes_planes.glsl");
+    accelerationFiles(part, technique, kGodot);
     return part.file(technique.file).body();
 }
 
@@ -313,7 +340,8 @@ Expected<ProgramText> programForRays(std::string_view technique, const ShaderRea
         return failure(std::string(technique), "this technique does not run on the GPU", "Use --device cpu");
     Assembly fragment(read, dialect);
     fragment.file("search/contract.glsl");
-    exactFiles(fragment, *row, dialect, "heights/edges_either.glsl", onPrisms ? "search/bend_quadric.glsl" : "search/bend_none.glsl");
+    exactFiles(fragment, *row, dialect == Dialect::Es ? kExactEs : kExact, "heights/edges_either.glsl",
+        onPrisms ? "search/bend_quadric.glsl" : "search/bend_none.glsl");
     if (onPrisms)
         fragment.file("view_ray/search_own.glsl")
             .file(dialect == Dialect::Desktop ? "view_ray/prism_texels_buffer.glsl" : "view_ray/prism_texels_image.glsl")

@@ -39,6 +39,7 @@ struct ProgramFeatures {
     bool onMesh = false; // the error view compares with the displaced mesh (ExactDistances)
     bool clamps = false; // an exact search ends at the tile's borders
     bool exported = false; // for other programs to run: see exportedFeatures
+    bool planes = false; // exported for the loaders of engines: pictures of 8 bits, see exportedForLoaders
     bool panorama = false; // exported with the environment as the renderer has it, instead of light by formula
     Dialect dialect = Dialect::Desktop; // of what is exported
     std::array<std::uint8_t, kParameters.size()> variants = {}; // which of its shader files each parameter chooses (ParameterRow::shader)
@@ -58,6 +59,10 @@ ProgramFeatures programFeatures(
 // surroundings by formula, no mip levels of the heights, and nothing that only this renderer can provide (bent rays, shadows between
 // objects). In ES heights are read texel by texel: WebGL2 does not filter them.
 ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps, Dialect dialect);
+// The same in ES for an engine's own loader of pictures, which keeps 8 bits: heights and acceleration map are split into upper and lower
+// bytes (heightMap in red and green; boundHighMap, boundLowMap), occlusion, roughness and metallic lie in ormMap, opacity in the alpha of
+// colorMap. The polygon's depth is kept.
+ProgramFeatures exportedForLoaders(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps);
 // Stand before and after what the search needs, in a fragment shader that is exported.
 inline constexpr std::string_view kTechniqueBegins = "// >>> technique", kTechniqueEnds = "// <<< technique";
 
@@ -67,6 +72,10 @@ using ShaderReader = std::function<Expected<std::string>(std::string_view name)>
 // `trace` and what it needs, undeclared textures and parameters left to the caller: exact searches read heights and codes from pictures
 // of 8 bits (heights/corners_planes.glsl), others filter. Errors: techniques without shader, or with a volume.
 Expected<std::string> searchForGodot(const TechniqueRow& technique, bool clamps, const ShaderReader& read);
+
+// A fragment shader of GLSL 4.10 whose `trace` Unreal can run once it is translated: heights as a texture of one channel, the acceleration
+// map as exportedForLoaders has it. Errors: as searchForGodot.
+Expected<std::string> searchForUnreal(const TechniqueRow& technique, bool clamps, const ShaderReader& read);
 
 struct ShaderText {
     std::string text;

@@ -5,8 +5,8 @@
     {"key": "emission_map", "file": "{{name}}_emission.png", "channels": ["emission_r", "emission_g", "emission_b"], "srgb": true},
     {"key": "height_bytes", "file": "{{name}}_height_bytes.png", "channels": ["height_high_byte", "height_low_byte", "0.0"], "when": "exact search"},
     {"key": "height", "file": "{{name}}_height.exr", "channels": ["height"], "bits": 32, "when": "filtered search"},
-    {"key": "bound_high", "file": "{{name}}_bound_high.png", "channels": ["bound_high_r", "bound_high_g", "bound_high_b", "bound_high_a"]},
-    {"key": "bound_low", "file": "{{name}}_bound_low.png", "channels": ["bound_low_r", "bound_low_g", "bound_low_b", "bound_low_a"]},
+    {"key": "bound_high", "file": "{{name}}_bound_high.png", "channels": ["bound_high_r", "bound_high_g", "bound_high_b", "bound_high_a"], "when": "codes"},
+    {"key": "bound_low", "file": "{{name}}_bound_low.png", "channels": ["bound_low_r", "bound_low_g", "bound_low_b", "bound_low_a"], "when": "codes"},
     {"key": "bound", "file": "{{name}}_bound.exr", "channels": ["bound_r", "bound_g", "bound_b", "bound_a"], "bits": 32, "when": "no codes"}
 ]}
 === {{name}}.gdshader

@@ -16,6 +16,10 @@ rm -rf "$out"
 # Tiles and the rest of the placement, and heights above the mesh; a clamped texture would show its border.
 "$here/exports/write.sh" "$relievo" "$out/placed" "$data" babylon,playcanvas,three,packed --set tiling=2 --set offsetU=0.25 --set offsetV=0.125 \
   --set depth=0.08 --set midlevel=0.5
+# Other searches of ours: an exact one, and cones.
+for technique in cell-cone cone-relaxed; do
+  "$relievo" export sample:bricks@256 --target babylon,playcanvas,three,packed --technique $technique --quiet -o "$out/$technique/bricks"
+done
 failed=0
 for engine in "${@:-babylon playcanvas three}"; do
   for one in $engine; do

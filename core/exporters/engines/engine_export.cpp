@@ -167,6 +167,8 @@ private:
             return isExact;
         case PackedTexture::When::FilteredSearch:
             return !isExact && technique && technique->needsHeights();
+        case PackedTexture::When::Codes:
+            return ownMapHoldsCodes(m_job);
         case PackedTexture::When::NoCodes:
             return !ownMapHoldsCodes(m_job);
         }
@@ -258,6 +260,8 @@ private:
             told.push_back({"engine-drawing", drawing + '.'});
         tellDepth(told);
         tellBits(told);
+        if (const std::string left = techniqueLeftOut(m_target, m_job); !left.empty())
+            told.push_back({"technique-left-out", left});
         if (m_parameters.rotation != 0.f && !says("rotation"))
             told.push_back({"rotation-lost", std::string(m_row.label) + " is not told the material's turn: turn the UVs of the mesh."});
         if (!engine.limits.empty())

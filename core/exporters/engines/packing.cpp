@@ -71,6 +71,8 @@ public:
                 height = image->height;
             }
         }
+        if (m_sources.size() == 2 && m_texture.channels.front().baked == kOwnMap)
+            m_sources.emplace_back(); // pictures of two channels are taken for grey with alpha
         if (m_job.progress.cancelled())
             return {};
         const PixelType type = m_texture.bits == 8 ? PixelType::U8 : m_texture.bits == 16 ? PixelType::U16 : PixelType::F32;
@@ -234,8 +236,7 @@ bool isPresent(const PackedTexture& texture, const ExportJob& job)
         case From::Height:
             return material.height.has_value();
         case From::Baked:
-            return material.height && (channel.baked != kOwnMap || hasOwnMap(job))
-                && (channel.part == PackedChannel::Part::All || ownMapHoldsCodes(job));
+            return material.height && (channel.baked != kOwnMap || hasOwnMap(job));
         case From::Normal:
             return material.map(MapKind::Normal) || (material.height && job.cures.contains(Cure::Normals));
         case From::Map:

@@ -3,9 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/engines/shader_words.h"
 #include "core/exporters/map_images.h"
+#include "core/exporters/uniform_values.h"
 #include "core/maps/maps.h"
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/scene_uniforms.h"
+#include "core/shader_text/translate.h"
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -104,6 +106,32 @@ Expected<void> addProgram(Words& words, Dialect dialect, const Source& source)
     words["fragment" + name] = withUniformsTold(program->fragment.text, source, *scale);
     return {};
 }
+
+// The list of uniforms as comments, and the text.
+std::string withUniformsListed(const std::string& translated, const std::string& told)
+{
+    std::string list = std::string(kLicence) + "// Uniforms, textures and what they hold here:\n";
+    std::istringstream lines(told);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("uniform "))
+            list += "//     " + line.substr(line.find(' ') + 1) + '\n';
+    return list + translated;
+}
+
+// Both stages of the words that addProgram made for GLSL 4.10.
+Expected<void> addTranslated(Words& words, const std::string& name, ShadingLanguage language)
+{
+    for (const Stage stage : {Stage::Vertex, Stage::Fragment}) {
+        const std::string word = stage == Stage::Vertex ? "vertex" : "fragment";
+        const std::string& told = words.at(word + "410");
+        const Expected<std::string> text = translated(told, stage, language);
+        if (!text)
+            return tl::unexpected(text.error());
+        words[word + name] = withUniformsListed(*text, told);
+    }
+    return {};
+}
+
 // A parameter as Godot declares it, with this State's value as default.
 std::string godotUniform(const ParameterRow& row, const Parameters& parameters)
 {
@@ -116,18 +144,23 @@ std::string godotUniform(const ParameterRow& row, const Parameters& parameters)
     return (std::holds_alternative<int>(value) ? "uniform int" : "uniform float") + name + range.str() + is;
 }
 
-// What `trace` needs as Godot's shading language has it: no global variables, no arrays of uniforms.
+// The text with the scale of the one level that is searched as a constant: arrays of uniforms are not to be had everywhere.
+std::string withScale(const std::string& text, glm::vec4 scale)
+{
+    std::ostringstream constant;
+    constant.precision(9);
+    constant << std::showpoint << "vec4(" << scale.x << ", " << scale.y << ", " << scale.z << ", " << scale.w << ")";
+    return std::regex_replace(text, std::regex(R"(boundScales\[searchLevel\(\)\])"), constant.str());
+}
+
+// What `trace` needs as Godot's shading language has it: no global variables.
 Expected<void> addGodot(Words& words, const Source& source)
 {
     Expected<std::string> text = searchForGodot(source.technique, source.parameters.wrap == Wrap::Clamp, embeddedReader());
     const Expected<glm::vec4> scale = boundScaleOf(source);
     if (!text || !scale)
         return tl::unexpected(!text ? text.error() : scale.error());
-    std::ostringstream constant;
-    constant.precision(9);
-    constant << std::showpoint << "vec4(" << scale->x << ", " << scale->y << ", " << scale->z << ", " << scale->w << ")";
-    std::string out = std::regex_replace(*text, std::regex(R"(boundScales\[searchLevel\(\)\])"), constant.str());
-    out = std::regex_replace(out, std::regex(R"(\n[^\n]*gaveUp = [^\n]*)"), "");
+    std::string out = std::regex_replace(withScale(*text, *scale), std::regex(R"(\n[^\n]*gaveUp = [^\n]*)"), "");
     const std::string bare = withoutComments(out);
     const std::string options = source.parameters.wrap == Wrap::Clamp ? "repeat_disable" : "repeat_enable";
     std::string uniforms;
@@ -143,15 +176,103 @@ Expected<void> addGodot(Words& words, const Source& source)
     words["searchGodot"] = uniforms + out;
     return {};
 }
+
+// {name: [type, value]} of the uniforms that `text` declares, but textures and what the engine itself tells.
+std::string uniformsAsScript(const std::string& text, const Source& source)
+{
+    static const std::regex uniform(R"(\nuniform (float|int|bool|vec[234]|mat2) (\w+);)");
+    Parameters written = source.parameters;
+    written.depth *= source.heights.span;
+    written.midlevel = source.heights.midlevel(source.parameters);
+    WebJson values = uniformValues(written, source.technique, source.job);
+    values["heightUnits"] = 65535;
+    std::string script = "{\n";
+    for (std::sregex_iterator found(text.begin(), text.end(), uniform), end; found != end; ++found)
+        if (const std::string name = (*found)[2]; name != "eye" && values.contains(name))
+            script += "  " + name + ": " + WebJson{(*found)[1].str(), values[name]}.dump() + ",\n";
+    return script + "}";
+}
+
+Expected<void> addForLoaders(TemplateValues& values, const Source& source)
+{
+    const auto program = meshProgram(exportedForLoaders(source.parameters, source.technique, mapsOf(source)), embeddedReader());
+    const Expected<glm::vec4> scale = boundScaleOf(source);
+    if (!program || !scale)
+        return tl::unexpected(!program ? program.error() : scale.error());
+    std::string fragment
+        = std::regex_replace(withScale(program->fragment.text, *scale), std::regex("uniform vec4 boundScales[^\n]*\n"), "");
+    fragment = std::string(kLicence) + fragment.substr(fragment.find('\n') + 1); // #version stands first
+    std::ranges::replace(fragment, '`', '\''); // of comments: the text stands between such in scripts
+    values.words["uniformsLoaders"] = uniformsAsScript(program->vertex.text + fragment, source);
+    values.words["fragmentLoaders"] = std::move(fragment);
+    values.switches["ownShader"] = true;
+    return {};
+}
+
+// As HLSL; what the search reads beside textures is written in.
+Expected<void> addUnreal(TemplateValues& values, const Source& source)
+{
+    Expected<std::string> text = searchForUnreal(source.technique, source.parameters.wrap == Wrap::Clamp, embeddedReader());
+    const Expected<glm::vec4> scale = boundScaleOf(source);
+    if (!text || !scale)
+        return tl::unexpected(!text ? text.error() : scale.error());
+    std::string glsl = std::regex_replace(withScale(*text, *scale), std::regex(R"(\n[^\n]*gaveUp = [^\n]*)"), "");
+    glsl = std::regex_replace(glsl, std::regex("uniform vec4 boundScales[^\n]*\n"), "");
+    for (const ParameterRow& row : kParameters) {
+        const std::string name(row.key);
+        const std::string value = std::visit([](auto is) { return jsonOf(is).dump(); }, get(source.parameters, row));
+        glsl = std::regex_replace(glsl, std::regex("uniform (float|int|bool) " + name + ";"), "const $1 " + name + " = $1(" + value + ");");
+    }
+    const Expected<std::string> search = searchAsStruct(glsl);
+    if (!search)
+        return tl::unexpected(search.error());
+    values.words["searchUnreal"] = *search;
+    values.switches["ownShader"] = true;
+    return {};
+}
+
+constexpr std::string_view kForLoaders = "{{#ownShader}}";
+
+// Why no web engine can search so; "" where it can.
+std::string unfitForLoaders(const ExportJob& job)
+{
+    const TechniqueRow* technique = findTechnique(techniqueOf(job));
+    if (!technique || technique->file.empty())
+        return "this technique has no shader";
+    if (technique->needsHeights() && !job.resources.material->height)
+        return "it searches heights, and there are none";
+    if (!technique->accelerationMap.empty() && findBakedMap(technique->accelerationMap)->form == MapForm::Volume)
+        return "it reads a volume, which no picture holds";
+    return {};
+}
 } // namespace
+
+std::string techniqueLeftOut(const TargetText& target, const ExportJob& job)
+{
+    const std::string why = unfitForLoaders(job);
+    if (why.empty()
+        || std::ranges::none_of(target.files, [](const TargetFile& file) { return file.text.find(kForLoaders) != file.text.npos; }))
+        return {};
+    return "The material of this technique is left out: " + why + ". The engine's own is written.";
+}
 
 Expected<void> addShaders(
     TemplateValues& values, const std::string& text, const ExportJob& job, const WrittenHeights& heights, const Parameters& parameters)
 {
     const auto mentions = [&text](const char* word) { return text.find(word) != text.npos; };
-    if (!mentions("410}}") && !mentions("Es300}}") && !mentions("{{{searchGodot}}}"))
-        return {};
+    const bool isTranslated = mentions("Hlsl}}") || mentions("Msl}}"), is410 = isTranslated || mentions("410}}");
     const TechniqueRow* technique = findTechnique(techniqueOf(job));
+    if (mentions(kForLoaders.data())) {
+        values.switches["ownShader"] = false;
+        for (const char* word : {"fragmentLoaders", "uniformsLoaders", "searchUnreal"})
+            values.words[word] = {};
+        if (!unfitForLoaders(job).empty())
+            return {};
+        const Source source{job, heights, parameters, *technique};
+        return mentions("{{{searchUnreal}}}") ? addUnreal(values, source) : addForLoaders(values, source);
+    }
+    if (!is410 && !mentions("Es300}}") && !mentions("{{{searchGodot}}}"))
+        return {};
     if (!technique || technique->file.empty())
         return failure(techniqueOf(job), "this technique has no shader", "Choose one that draws pictures, such as cell-cone");
     if (technique->needsHeights() && !heights.field)
@@ -159,8 +280,12 @@ Expected<void> addShaders(
             "Open one, or choose bump");
     const Source source{job, heights, parameters, *technique};
     for (const Dialect dialect : {Dialect::Desktop, Dialect::Es})
-        if (mentions(dialect == Dialect::Es ? "Es300}}" : "410}}"))
+        if (dialect == Dialect::Es ? mentions("Es300}}") : is410)
             if (auto added = addProgram(values.words, dialect, source); !added)
+                return added;
+    for (const auto& [name, language] : {std::pair("Hlsl", ShadingLanguage::Hlsl), std::pair("Msl", ShadingLanguage::Msl)})
+        if (mentions((std::string(name) + "}}").c_str()))
+            if (auto added = addTranslated(values.words, name, language); !added)
                 return added;
     return mentions("{{{searchGodot}}}") ? addGodot(values.words, source) : Expected<void>();
 }

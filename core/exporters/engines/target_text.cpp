@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr std::size_t kLongest = std::size_t(1) << 20; // bytes of a target's file
 constexpr std::string_view kSection = "=== ", kEach = " each texture";
-constexpr std::string_view kWhens[] = {"always", "8 bits show", "exact search", "filtered search", "no codes"}; // by When
+constexpr std::string_view kWhens[] = {"always", "8 bits show", "exact search", "filtered search", "codes", "no codes"}; // by When
 constexpr std::string_view kFormats[] = {".png", ".tif", ".tga", ".jpg", ".exr"};
 
 class Reader {
@@ -106,7 +106,7 @@ private:
         const std::string when = json.value("when", std::string(kWhens[0]));
         const auto known = std::ranges::find(kWhens, when);
         if (known == std::end(kWhens))
-            return wrong(at + ".when", "can only be \"8 bits show\", \"exact search\", \"filtered search\" or \"no codes\"");
+            return wrong(at + ".when", "can only be \"8 bits show\", \"exact search\", \"filtered search\", \"codes\" or \"no codes\"");
         texture.when = PackedTexture::When(known - std::begin(kWhens));
         m_target.textures.push_back(std::move(texture));
         return {};

@@ -19,7 +19,7 @@ struct PackedChannel {
     int channel = 0; // of the map, of the normal (x y z), or of the baked map
     bool inverted = false; // 1 - value
     std::string baked = {}; // key of kBakedMaps; kOwnMap: of the technique that is exported, in as many channels as it has
-    enum class Part { All, HighByte, LowByte } part = Part::All; // of 16 bits; of a baked map only where it holds codes
+    enum class Part { All, HighByte, LowByte } part = Part::All; // of 16 bits
     std::string word; // as the file says it: "roughness", "normal_y_directx", "cone_relaxed_g", "1.0"
 };
 struct PackedTexture {
@@ -28,7 +28,7 @@ struct PackedTexture {
     std::vector<PackedChannel> channels; // 1 to 4
     int bits = 8; // 8, 16 or 32 (float)
     bool srgb = false; // holds colour as it is stored
-    enum class When { Always, EightBitsShow, ExactSearch, FilteredSearch, NoCodes } when = When::Always; // it is written
+    enum class When { Always, EightBitsShow, ExactSearch, FilteredSearch, Codes, NoCodes } when = When::Always; // it is written
     bool holdsHeight() const;
     bool holdsData() const; // numbers that mip levels and compression would spoil: heights and baked maps
 };

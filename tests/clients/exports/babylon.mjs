@@ -34,7 +34,16 @@ export async function run(job, canvas, h) {
   const made = [];
   for (const [i, item] of job.materials.entries()) {
     const folder = `/export/${item.folder}/`;
-    const m = (await import(folder + item.module)).material(BABYLON, scene, folder);
+    const module = await import(folder + item.module);
+    for (const lit of [true, false]) { // as it is, then as UVs
+      const own = module.reliefMaterial(BABYLON, scene, folder);
+      if (!lit) own.shaderPath.fragmentSource = h.showingUv(own.shaderPath.fragmentSource);
+      plane.material = own;
+      await scene.whenReadyAsync();
+      if (lit) await draw(job.shots[0]);
+      else for (const [j, shot] of job.shots.entries()) await h.send(`own${i * job.shots.length + j}`, await draw(shot), job.size, job.size);
+    }
+    const m = module.material(BABYLON, scene, folder);
     plane.material = m;
     await scene.whenReadyAsync();
     const broken = m.getActiveTextures().filter((t) => t.loadingError).map((t) => t.url);

@@ -95,7 +95,7 @@ def read_module(file):
 
 READERS = {".py": read_python, ".meta": read_meta, ".mat": read_material, ".material": read_o3de, ".mjs": read_module,
            ".json": lambda file: json.loads(file.read_text()), ".mtlx": lambda file: xml.etree.ElementTree.parse(file)}
-ELSEWHERE = {".tres", ".gdshader", ".import", ".usda", ".vert", ".frag"}  # by Godot, tinyusdz, glslangValidator
+ELSEWHERE = {".tres", ".gdshader", ".import", ".usda", ".vert", ".frag", ".hlsl"}  # by Godot, tinyusdz, glslangValidator
 PICTURES = {".png", ".exr"}
 
 

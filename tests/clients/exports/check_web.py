@@ -2,7 +2,8 @@
 """Runs the exported modules of an engine in headless Chromium: check_web.py RELIEVO OUT ENGINE (babylon, playcanvas or three).
 
 OUT/KIND/SET/ENGINE holds one material each, and SET/packed what was promised of it. Every material must be made without a word on the console, with
-the promised depth; the UVs of the parallax are compared with `relievo trace` at 45 and 70 degrees, the vertices of three.js with the heights.
+the promised depth; the UVs of the parallax are compared with `relievo trace` at 45 and 70 degrees, the vertices of three.js with the heights. The
+same for each module's second material, which runs our own technique.
 """
 # SPDX-FileCopyrightText: The Relievo authors
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,6 +11,7 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -55,6 +57,25 @@ def uvs(relievo, job, engine, folder, shot, picture, out):
             f"{100 * good:.2f} % within 0.001 of UV; relief moves {np.median(moved):.4f}"), good >= 0.99 and error.size > 10000
 
 
+def own_uvs(relievo, job, module, shot, picture, out):
+    """Of the shader that runs our technique: its mesh is pushed out so that the midlevel lies where the mesh was."""
+    folder = module.parent
+    told = promised(folder)
+    technique = re.search(r"behind each pixel by ([a-z0-9-]+)", module.read_text()).group(1)
+    uv, eye, inside = formulas.geometry(shot, argparse.Namespace(**{**job, "size": job["own"]}))
+    inside &= picture[..., 2] > 0.5
+    planes = np.asarray(Image.open(next(folder.glob("*_height_bytes.png")))).astype(np.uint16)
+    Image.fromarray(planes[..., 0] * np.uint16(256) + planes[..., 1]).save(out / "heights.png")
+    rays = told.rays(uv[inside], eye[inside])
+    rays[:, :2] -= (1 - told.midlevel) * rays[:, 2:4]
+    found = engine_uvs.traced_rays(relievo, out / "heights.png", technique, rays)
+    error, _ = engine_uvs.difference(picture[inside][:, :2].astype(float), found, 0)
+    moved = np.linalg.norm(found - rays[:, :2], axis=-1)
+    good = float(np.mean(error < 0.001))
+    return (f"own {technique}, {90 - shot['pitch']} degrees, {error.size} pixels, median {np.median(error):.7f}, p99 {np.percentile(error, 99):.7f}, "
+            f"{100 * good:.2f} % within 0.001 of UV; relief moves {np.median(moved):.4f}"), good >= 0.99 and error.size > 10000
+
+
 def vertices(folder, picture):
     told = promised(folder)
     raw = np.asarray(Image.open(next(folder.glob("*_height.png"))))
@@ -73,7 +94,7 @@ def main():
     modules = sorted(out.rglob(f"{engine}/*.mjs"))
     work = out / f"run-{engine}"
     work.mkdir()
-    job = {"engine": engine, "adapter": str(HERE / f"{engine}.mjs"), "exports": str(out), "size": 257 if engine == "three" else 448, "distance": 1.6,
+    job = {"engine": engine, "adapter": str(HERE / f"{engine}.mjs"), "exports": str(out), "size": 257 if engine == "three" else 448, "own": 448, "distance": 1.6,
            "fov": 40, "shots": SHOTS, "materials": [{"folder": str(m.parent.relative_to(out)), "module": m.name} for m in modules]}
     (work / "job.json").write_text(json.dumps(job))
     failed = subprocess.run(["node", HERE.parent / "webengines" / "drive.mjs", os.environ["WEBENGINES_CACHE"], work / "job.json", work, "600"]).returncode
@@ -98,6 +119,11 @@ def main():
         for j in range(shots):
             picture = np.fromfile(work / f"shot{i * shots + j}.f32", "<f4").reshape(job["size"], job["size"], 4)
             line, good = vertices(module.parent, picture) if engine == "three" else uvs(relievo, job, engine, module.parent, SHOTS[j], picture, work)
+            print(f"{name}: {line}{'' if good else ' - WRONG'}")
+            failed |= not good
+        for j, shot in enumerate(SHOTS):
+            picture = np.fromfile(work / f"own{i * len(SHOTS) + j}.f32", "<f4").reshape(job["own"], job["own"], 4)
+            line, good = own_uvs(relievo, job, module, shot, picture, work)
             print(f"{name}: {line}{'' if good else ' - WRONG'}")
             failed |= not good
     print(f"{engine} {report['version']}: {len(modules)} materials")

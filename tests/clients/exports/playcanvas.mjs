@@ -49,7 +49,14 @@ export async function run(job, canvas, h) {
   const made = [];
   for (const [i, item] of job.materials.entries()) {
     const folder = `/export/${item.folder}/`;
-    const m = await (await import(folder + item.module)).material(pc, app, folder);
+    const module = await import(folder + item.module);
+    const own = await module.reliefMaterial(pc, app, folder);
+    instance.material = own;
+    await draw(job.shots[0]); // as it is, lit
+    own.shaderDesc = { ...own.shaderDesc, uniqueName: own.shaderDesc.uniqueName + ' UV', fragmentGLSL: h.showingUv(own.shaderDesc.fragmentGLSL) };
+    own.update();
+    for (const [j, shot] of job.shots.entries()) await h.send(`own${i * job.shots.length + j}`, await draw(shot), job.size, job.size);
+    const m = await module.material(pc, app, folder);
     instance.material = m;
     await draw({ pitch: 45, yaw: 20 }); // as it is, lit
     made.push({ depth: m.heightMapFactor / 10, base: m.heightMapBase, parallax: m.parallaxMode === 'occlusion',

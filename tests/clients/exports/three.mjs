@@ -25,10 +25,34 @@ export async function run(job, canvas, h) {
     renderer.readRenderTargetPixels(target, 0, 0, job.size, job.size, pixels);
     return pixels;
   };
+  // The same plane undivided, from where the shots stand.
+  const flat = new THREE.Mesh(new THREE.PlaneGeometry(1, 1).rotateX(-Math.PI / 2));
+  const eye = new THREE.PerspectiveCamera(job.fov, 1, 0.05, 100);
+  const seen = new THREE.WebGLRenderTarget(job.own, job.own, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
+  const own = async (m, i) => {
+    flat.material = m;
+    for (const j of [-1, ...job.shots.keys()]) { // the first as it is, lit
+      if (j === 0) {
+        m.fragmentShader = h.showingUv(m.fragmentShader);
+        m.needsUpdate = true;
+      }
+      eye.position.set(...h.eye(job.shots[Math.max(j, 0)]));
+      eye.lookAt(0, 0, 0);
+      renderer.setRenderTarget(seen);
+      renderer.clear();
+      renderer.render(flat, eye);
+      const pixels = new Float32Array(job.own * job.own * 4);
+      renderer.readRenderTargetPixels(seen, 0, 0, job.own, job.own, pixels);
+      if (j >= 0) await h.send(`own${i * job.shots.length + j}`, pixels, job.own, job.own);
+    }
+    renderer.setRenderTarget(target);
+  };
   const made = [];
   for (const [i, item] of job.materials.entries()) {
     const folder = `/export/${item.folder}/`;
-    const m = await (await import(folder + item.module)).material(THREE, folder);
+    const module = await import(folder + item.module);
+    await own(await module.reliefMaterial(THREE, folder), i);
+    const m = await module.material(THREE, folder);
     plane.material = m;
     draw(); // as it is, lit
     made.push({ depth: m.displacementScale, bias: m.displacementBias, parallax: true, broken: [],

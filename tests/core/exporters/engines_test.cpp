@@ -6,11 +6,13 @@
 #include "core/ground/file.h"
 #include "core/image/files/image_file.h"
 #include "core/scene/source.h"
+#include "core/state/techniques.h"
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <unistd.h>
 
 using namespace relievo;
@@ -220,6 +222,101 @@ TEST_F(Engines, BoundsAreThoseOfTheHeightsBesideThem)
         const Image one = readImage(m_folder / "small" / file)->image, other = readImage(m_folder / "whole" / file)->image;
         EXPECT_EQ(one.width, other.width) << file;
         EXPECT_EQ(one.data, other.data) << file;
+    }
+}
+
+// The technique is complete between its marks, under the names of the GLSL, and nothing of the shading stands there.
+TEST_F(Engines, HlslAndMetalKeepTheTechniqueTogether)
+{
+    make(0.f, 1.f, true);
+    for (const TechniqueRow& technique : kTechniques) {
+        if (technique.file.empty())
+            continue;
+        m_state.panes.front().technique = technique.key;
+        for (const auto& [key, file, uniform] :
+            {std::tuple("hlsl", "relief.hlsl", "u_reliefDepth"), std::tuple("msl", "relief.metal", "u.reliefDepth")}) {
+            const Expected<Exported> exported = run(key, key);
+            ASSERT_TRUE(exported) << technique.key << ": " << message(exported.error());
+            const std::string text = textOfFile(m_folder / key / file);
+            const std::size_t from = text.find("// >>> technique\n"), to = text.find("// <<< technique\n");
+            ASSERT_LT(from, to) << technique.key;
+            const std::string search = text.substr(from, to - from), rest = text.substr(0, from) + text.substr(to);
+            for (const char* part : {"Hit trace(", "struct Ray", "struct Hit"}) {
+                EXPECT_NE(search.find(part), std::string::npos) << technique.key << ' ' << key << ' ' << part;
+                EXPECT_EQ(rest.find(part), std::string::npos) << technique.key << ' ' << key << ' ' << part;
+            }
+            EXPECT_EQ(search.find("shade("), std::string::npos) << technique.key;
+            EXPECT_NE(rest.find(uniform), std::string::npos) << technique.key;
+            EXPECT_NE(rest.find("float reliefDepth; // 0.08 m"), std::string::npos) << technique.key;
+            EXPECT_FALSE(std::regex_search(text, std::regex(R"(\b_m[0-9]+\b)"))) << technique.key << " has members without names";
+            EXPECT_NE(text.find(technique.needsHeights() ? "heightMap" : "colorMap"), std::string::npos) << technique.key;
+        }
+    }
+}
+
+// 16 is what WebGL2 and Direct3D's and OpenGL's smallest machines read in one program.
+TEST_F(Engines, NoProgramReadsMoreThanSixteenTextures)
+{
+    make(0.f, 1.f, true);
+    m_state.name = "m";
+    const std::pair<const char*, const char*> programs[]
+        = {{"glsl", "relief_410.frag"}, {"glsl", "relief_es300.frag"}, {"hlsl", "relief.hlsl"}, {"msl", "relief.metal"},
+            {"godot4-shader", "m.gdshader"}, {"three", "m.mjs"}, {"babylon", "m.mjs"}, {"playcanvas", "m.mjs"}, {"unreal", "m.py"}};
+    const std::regex texture(R"((^|\n|\\n) *(uniform (highp )?[iu]?sampler\w+ |Texture[23]D[^\n]*;)|\[\[texture\()");
+    const auto texturesOf = [&](const std::string& text) {
+        return std::distance(std::sregex_iterator(text.begin(), text.end(), texture), std::sregex_iterator());
+    };
+    std::set<std::pair<std::string_view, bool>> seen; // which textures a search reads follows from these
+    for (const TechniqueRow& technique : kTechniques) {
+        if (technique.file.empty() || !seen.emplace(technique.accelerationMap, technique.isExact).second)
+            continue;
+        m_state.panes.front().technique = technique.key;
+        for (const Shading shading : {Shading::MetallicRoughness, Shading::BlinnPhong}) {
+            m_state.parameters.shading = shading;
+            for (const auto& [key, file] : programs) {
+                if (technique.key == "sphere" && std::string_view(key) == "godot4-shader")
+                    continue; // refuses volumes
+                const Expected<Exported> exported = run(key, key);
+                ASSERT_TRUE(exported) << key << ' ' << technique.key << ": " << message(exported.error());
+                const std::string text = textOfFile(m_folder / key / file);
+                EXPECT_LE(texturesOf(text), 16) << key << ' ' << technique.key;
+                if (technique.needsHeights() && technique.key != "sphere") {
+                    EXPECT_GE(texturesOf(text), 1) << key << ' ' << technique.key << ": none was counted";
+                }
+            }
+            ExportJob page = job(m_folder / "page.html");
+            ASSERT_TRUE(findExport("web")->run(page));
+            const std::string text = textOfFile(page.out);
+            for (std::size_t at = text.find("#version"); at != text.npos;) {
+                const std::size_t next = text.find("#version", at + 1);
+                EXPECT_LE(texturesOf(text.substr(at, next - at)), 16) << "web " << technique.key;
+                at = next;
+            }
+        }
+    }
+}
+
+// What the loaders of web engines read: bytes, and nothing that only this renderer provides. A technique that does not fit pictures is left
+// out and told; the engine's own material is written all the same.
+TEST_F(Engines, WebEnginesGetTheTechniqueToo)
+{
+    make(0.f, 1.f, true);
+    m_state.name = "m";
+    for (const char* key : {"three", "babylon", "playcanvas"}) {
+        m_state.panes.front().technique = "cell-cone";
+        ASSERT_TRUE(run(key, "fits"));
+        const std::string text = textOfFile(m_folder / "fits/m.mjs");
+        for (const char* part : {"function reliefMaterial", "uniform sampler2D boundLowMap", "reliefDepth: [\"float\",0.08]", "ormMap, uv"})
+            EXPECT_NE(text.find(part), std::string::npos) << key << ' ' << part;
+        for (const char* part : {"usampler2D cellMap", "boundScales", "sampler2D roughnessMap"})
+            EXPECT_EQ(text.find(part), std::string::npos) << key << ' ' << part;
+        m_state.panes.front().technique = "sphere";
+        const Expected<Exported> plain = run(key, "plain");
+        ASSERT_TRUE(plain) << message(plain.error());
+        EXPECT_EQ(std::ranges::count(plain->warnings, "technique-left-out", &Warning::code), 1) << key;
+        const std::string without = textOfFile(m_folder / "plain/m.mjs");
+        EXPECT_NE(without.find("function material"), std::string::npos) << key;
+        EXPECT_EQ(without.find("reliefMaterial("), std::string::npos) << key;
     }
 }
 
