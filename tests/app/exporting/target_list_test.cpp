@@ -146,6 +146,26 @@ TEST_F(TargetListTest, ACureThatIsOffIsLeftOutAndStaysOff)
     EXPECT_TRUE(next.findChild<Switch*>("cure-dither")->isChecked());
 }
 
+TEST_F(TargetListTest, TheDialogFitsASmallScreenAndNothingMovesWhenATargetIsChosen)
+{
+    ExportDialog& dialog = exportTo("gltf");
+    dialog.resize(768, 536); // what 800 x 600 leaves
+    EXPECT_EQ(dialog.size(), QSize(768, 536));
+    QTest::qWait(50);
+    const auto places = [&] {
+        QList<QRect> all;
+        for (const char* name : {"search", "targets", "out", "packing", "cure-dither", "our-picture", "drawing", "files", "run"})
+            all << dialog.findChild<QWidget*>(name)->geometry();
+        return all;
+    };
+    const QList<QRect> before = places();
+    for (const ExportRow& row : kExports) {
+        dialog.setTarget(row.key);
+        QTest::qWait(10);
+        EXPECT_EQ(places(), before) << row.key;
+    }
+}
+
 // Of the table: what a switch is there for changes what is written.
 TEST(Cures, TheyAreUsedByTheTargetsThatHoldWhatTheyCure)
 {
