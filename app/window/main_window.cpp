@@ -74,7 +74,9 @@ void MainWindow::run(Action action, bool on)
     case Action::Reload:
         return m_assets.readAgain();
     case Action::Export:
-        return showExport();
+        return exportDialog().present();
+    case Action::ExportAgain:
+        return exportDialog().runAgain();
     case Action::Quit:
         return void(close());
     case Action::Undo:
@@ -174,13 +176,12 @@ void MainWindow::showPanels(bool on)
     m_page->showPanels(on);
 }
 
-void MainWindow::showExport()
+ExportDialog& MainWindow::exportDialog()
 {
     commitTyping(this);
     if (!m_export)
         m_export = new ExportDialog(m_document, m_assets, this);
-    m_export->show();
-    m_export->raise();
+    return *m_export;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -55,7 +55,7 @@ private:
     void setWireframe(bool on);
     void showFurtherPanes(bool on);
     void showPanels(bool on);
-    void showExport();
+    ExportDialog& exportDialog();
 
     Document m_document;
     Messages m_messages;

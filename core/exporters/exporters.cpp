@@ -54,6 +54,24 @@ std::vector<std::string> namesInFolder(const ExportRow& row)
     return names;
 }
 
+EnumSet<Cure> curesUsedBy(const ExportRow& row, const TargetText* packing)
+{
+    EnumSet<Cure> used;
+    if (row.code)
+        return used;
+    for (const PackedTexture& texture : (packing ? *packing : textOf(row)).textures) {
+        if (texture.holdsData())
+            used.insert(Cure::FullRange);
+        for (const PackedChannel& channel : texture.channels) {
+            if (channel.from == PackedChannel::From::Normal)
+                used.insert(Cure::Normals);
+            if (channel.from == PackedChannel::From::Height && channel.part == PackedChannel::Part::All && texture.bits == 8)
+                used.insert(Cure::Dither);
+        }
+    }
+    return used;
+}
+
 Parameters parametersOf(const ExportJob& job)
 {
     return effectiveParameters(job.state, 0);

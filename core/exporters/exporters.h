@@ -43,6 +43,25 @@ inline constexpr PerChoice<Cure, CureRow> kCures{{{
     {"Dither to 8 bits", "Spreads what 8 bits cannot hold over neighbours, where a target keeps 8 bits only: no terraces."},
 }}};
 
+// What a target is for, in the order of lists.
+enum class ExportGroup { Engines, Formats, Shaders, Relievo, Own };
+constexpr std::string_view wordOf(ExportGroup group)
+{
+    switch (group) {
+    case ExportGroup::Engines:
+        return "Engines and programs";
+    case ExportGroup::Formats:
+        return "Formats";
+    case ExportGroup::Shaders:
+        return "Shader text";
+    case ExportGroup::Relievo:
+        return "Relievo";
+    case ExportGroup::Own:
+        return "Your own";
+    }
+    return {};
+}
+
 struct TargetText;
 
 // Pictures that were written, by what is in them: an equal one for another target is copied.
@@ -95,6 +114,8 @@ struct EngineFacts {
 struct ExportRow {
     std::string_view key;
     std::string_view label;
+    ExportGroup group = ExportGroup::Engines;
+    std::string_view icon = "engine"; // file under resources/icons without suffix: one shape a family
     std::string_view suffix = {}; // ".glb"; "" when `out` is a folder
     Expected<Exported> (*code)(const ExportJob& job) = nullptr;
     std::vector<std::filesystem::path> (*codeWrites)(const ExportJob& job) = nullptr; // the files that `code` makes or replaces
@@ -119,9 +140,12 @@ std::vector<std::filesystem::path> filesOfTextures(const ExportJob& job);
 std::vector<std::filesystem::path> filesOfPreset(const ExportJob& job);
 std::vector<std::filesystem::path> filesOfWeb(const ExportJob& job);
 
+inline constexpr std::string_view kShaderLimits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's.";
 inline constexpr auto kExports = std::to_array<ExportRow>({
     {.key = "gltf",
         .label = "glTF binary",
+        .group = ExportGroup::Formats,
+        .icon = "mesh",
         .suffix = ".glb",
         .code = exportGltf,
         .codeWrites = filesOfGltf,
@@ -129,17 +153,23 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
         = "Mesh and material in one file: base color, normal, packed occlusion-roughness-metallic, height in RELIEVO_materials_relief."},
     {.key = "textures",
         .label = "Texture folder",
+        .group = ExportGroup::Formats,
+        .icon = "maps",
         .code = exportTextures,
         .codeWrites = filesOfTextures,
         .help = "Each map as its own file, height at 16 bits, and relief.json with the physical depth."},
     {.key = "preset",
         .label = "Relievo preset",
+        .group = ExportGroup::Relievo,
+        .icon = "sample",
         .suffix = ".json",
         .code = exportPreset,
         .codeWrites = filesOfPreset,
         .help = "The material's parameters without its files, to be laid on other materials."},
     {.key = "web",
         .label = "Web page",
+        .group = ExportGroup::Relievo,
+        .icon = "globe",
         .suffix = ".html",
         .code = exportWeb,
         .codeWrites = filesOfWeb,
@@ -159,6 +189,8 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
                 "spoil the march."},
     {.key = "godot4-shader",
         .label = "Godot 4, this technique",
+        .group = ExportGroup::Shaders,
+        .icon = "code",
         .engine = {.version = "4.6, run",
             .zeroIsFree = true,
             .property = "relief_depth",
@@ -241,6 +273,7 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
         .help = "Rust that makes the StandardMaterial, with its textures; the height is written as a depth map, which Bevy reads."},
     {.key = "babylon",
         .label = "Babylon.js",
+        .icon = "globe",
         .engine = {.version = "9.35, run",
             .technique = "as-babylon",
             .channel = Channel::A,
@@ -252,6 +285,7 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
                 "ShaderMaterial with this technique."},
     {.key = "playcanvas",
         .label = "PlayCanvas",
+        .icon = "globe",
         .engine = {.version = "2.23, run",
             .technique = "as-playcanvas",
             .zeroIsFree = true,
@@ -263,6 +297,7 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
         .help = "ES module of two materials: a StandardMaterial with parallax occlusion, and a ShaderMaterial with this technique."},
     {.key = "three",
         .label = "three.js",
+        .icon = "globe",
         .engine = {.version = "0.187, run",
             .zeroIsFree = true,
             .property = "displacementScale",
@@ -272,6 +307,7 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
         .help = "ES module of two materials: a MeshStandardMaterial with a displacement map, and a ShaderMaterial with this technique."},
     {.key = "blender",
         .label = "Blender",
+        .icon = "spheres",
         .engine = {.version = "3.4, run",
             .zeroIsFree = true,
             .property = "Scale",
@@ -280,6 +316,8 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
         .help = "Python that makes the material's nodes, displacement with midlevel and scale, in Blender 3.4 and later."},
     {.key = "materialx",
         .label = "MaterialX",
+        .group = ExportGroup::Formats,
+        .icon = "nodes",
         .engine = {.version = "1.39, read by its own library",
             .zeroIsFree = true,
             .property = "scale of the displacement node",
@@ -290,6 +328,8 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
         .help = "Material (.mtlx) with standard_surface and displacement in metres; for 1.39, for 1.38, and without displacement."},
     {.key = "usd",
         .label = "USD",
+        .group = ExportGroup::Formats,
+        .icon = "nodes",
         .engine = {.zeroIsFree = true,
             .property = "inputs:scale of the displacement texture",
             .of = DepthOf::Metres,
@@ -297,30 +337,29 @@ inline constexpr auto kExports = std::to_array<ExportRow>({
         .help = "Material (.usda) with UsdPreviewSurface: textures, displacement with scale and bias in metres."},
     {.key = "glsl",
         .label = "GLSL",
-        .engine = {.zeroIsFree = true,
-            .property = "reliefDepth",
-            .of = DepthOf::Metres,
-            .limits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's."},
+        .group = ExportGroup::Shaders,
+        .icon = "code",
+        .engine = {.zeroIsFree = true, .property = "reliefDepth", .of = DepthOf::Metres, .limits = kShaderLimits},
         .help = "This technique as complete shaders of GLSL 4.10 and ES 3.00 (WebGL2), with its textures; each uniform tells its value."},
     {.key = "hlsl",
         .label = "HLSL",
-        .engine = {.zeroIsFree = true,
-            .property = "u_reliefDepth",
-            .of = DepthOf::Metres,
-            .limits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's."},
+        .group = ExportGroup::Shaders,
+        .icon = "code",
+        .engine = {.zeroIsFree = true, .property = "u_reliefDepth", .of = DepthOf::Metres, .limits = kShaderLimits},
         .help
         = "This technique as complete shaders of HLSL 5.0, translated from ours, with its textures; the head tells each uniform's value."},
     {.key = "msl",
         .label = "Metal",
-        .engine = {.zeroIsFree = true,
-            .property = "u.reliefDepth",
-            .of = DepthOf::Metres,
-            .limits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's."},
+        .group = ExportGroup::Shaders,
+        .icon = "code",
+        .engine = {.zeroIsFree = true, .property = "u.reliefDepth", .of = DepthOf::Metres, .limits = kShaderLimits},
         .help
         = "This technique as complete shaders of the Metal Shading Language, translated from ours, with its textures; the head tells each "
           "uniform's value."},
     {.key = "packed",
         .label = "Packed textures",
+        .group = ExportGroup::Formats,
+        .icon = "maps",
         .help = "Base color, normal and height, and occlusion, roughness and metallic in one texture: what most engines and painting "
                 "programs take."},
 });
@@ -333,6 +372,9 @@ std::string drawingTold(const ExportRow& row, const ExportJob& job);
 
 // The names of the files that a folder holds, with NAME for the material's; none of targets that write a file of any name.
 std::vector<std::string> namesInFolder(const ExportRow& row);
+
+// The cures that may change what the row writes; packing: as in ExportJob.
+EnumSet<Cure> curesUsedBy(const ExportRow& row, const TargetText* packing = nullptr);
 
 // What all targets are given where a State is exported: picture A, and what it shows.
 Parameters parametersOf(const ExportJob& job);

@@ -15,10 +15,7 @@ protected:
     {
         window.action("export")->trigger();
         auto& dialog = *window.findChild<ExportDialog*>();
-        int target = 0;
-        while (kExports[std::size_t(target)].key != key)
-            ++target;
-        dialog.setTarget(target);
+        dialog.setTarget(key);
         return dialog;
     }
     static QLineEdit& out(ExportDialog& dialog) { return *dialog.findChild<QLineEdit*>("out"); }

@@ -52,7 +52,7 @@ TEST_F(ExportTest, AClosedDialogTellsItsEndInTheMessageLine)
     window.action("export")->trigger();
     EXPECT_FALSE(says("Exported to"));
     dialog.close();
-    Q_EMIT dialog.findChild<Background*>()->failed("no memory");
+    Q_EMIT dialog.findChild<ExportRun*>()->findChild<Background*>()->failed("no memory");
     EXPECT_TRUE(says("no memory")) << window.messageLine().text().toStdString();
     window.action("export")->trigger();
     EXPECT_TRUE(window.messages().all().isEmpty());
@@ -83,7 +83,7 @@ TEST_F(ExportTest, WhatWasWrittenIsOfItsNameAndTarget)
     QTest::keyClicks(&out(dialog), "x");
     EXPECT_TRUE(result(dialog).isHidden());
     write();
-    dialog.setTarget(0);
+    dialog.setTarget("gltf");
     EXPECT_TRUE(result(dialog).isHidden());
 }
 
@@ -122,6 +122,6 @@ TEST_F(ExportTest, ItSaysBeforehandWhatTheEngineWillDraw)
     const QString before = drawing.text();
     window.document().edit("Heights", [](State& s) { s.parameters.depth = s.parameters.depth * 0.1f; });
     EXPECT_TRUE(waitFor([&] { return drawing.text() != before; })); // of another depth
-    dialog.setTarget(0); // glTF: no engine is behind it
+    dialog.setTarget("gltf"); // glTF: no engine is behind it
     EXPECT_TRUE(waitFor([&] { return drawing.text().isEmpty(); }));
 }

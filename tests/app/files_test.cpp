@@ -194,10 +194,7 @@ TEST_F(WindowTest, TheExportDialogWritesAFile)
     auto* dialog = window.findChild<ExportDialog*>();
     ASSERT_NE(dialog, nullptr);
     EXPECT_FALSE(dialog->isModal());
-    int target = 0;
-    while (kExports[std::size_t(target)].key != "preset")
-        ++target;
-    dialog->setTarget(target);
+    dialog->setTarget("preset");
     dialog->findChild<QLineEdit*>("out")->setText(file("look.json"));
     QTest::mouseClick(dialog->findChild<QPushButton*>("run"), Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return !dialog->busy(); }));

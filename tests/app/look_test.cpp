@@ -5,6 +5,7 @@
 #include "app/window/document/starting_scene.h"
 #include "app/window/panels/choice_menus.h"
 #include "app/window/panels/drop_frame.h"
+#include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include "core/mesh/mesh.h"
 #include "tests/app/window_support.h"
@@ -182,13 +183,13 @@ TEST_F(LookTest, WhatIsClickedDoesNotMove)
     ASSERT_TRUE(waitFor([&] { return run->isVisible(); }));
     QTest::qWait(50);
     const QPoint there = run->mapToGlobal(QPoint(0, 0));
-    for (int target = 0; target < int(kExports.size()); ++target) {
-        dialog->setTarget(target);
-        dialog->setOut(file("out") + QString::number(target));
+    for (const ExportRow& target : kExports) {
+        dialog->setTarget(target.key);
+        dialog->setOut(file("out") + qt(target.key));
         QTest::mouseClick(run, Qt::LeftButton);
         ASSERT_TRUE(waitFor([&] { return !dialog->busy() && dialog->findChild<QLabel*>("result")->isVisible(); }));
         QTest::qWait(50);
-        EXPECT_EQ(run->mapToGlobal(QPoint(0, 0)), there) << target;
+        EXPECT_EQ(run->mapToGlobal(QPoint(0, 0)), there) << target.key;
     }
     dialog->close();
 }

@@ -251,7 +251,7 @@ TEST_F(SavingTest, TheExportFollowsTheDocument)
     dialog.run();
     finish(dialog);
     EXPECT_FALSE(result(dialog).isHidden());
-    dialog.setTarget(0);
+    dialog.setTarget("gltf");
     dialog.close();
     window.assets().openDocument("sample:terrain@64", State{});
     settle();
@@ -273,7 +273,7 @@ TEST_F(SavingTest, ExportFaultsAreTold)
     dialog.run();
     EXPECT_TRUE(result(dialog).text().contains("not loaded")) << result(dialog).text().toStdString();
     EXPECT_FALSE(QFile::exists(file("look.json")));
-    Q_EMIT dialog.findChild<Background*>()->failed("no memory");
+    Q_EMIT dialog.findChild<ExportRun*>()->findChild<Background*>()->failed("no memory");
     EXPECT_TRUE(result(dialog).text().contains("no memory"));
 
     MainWindow other;

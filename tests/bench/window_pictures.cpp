@@ -1,7 +1,9 @@
 // Pictures of the editor window in its states, to be looked at: window_pictures FOLDER [NAME ...].
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/dialogs/engine_pictures.h"
 #include "app/window/dialogs/export_dialog.h"
+#include "app/window/dialogs/packing_editor.h"
 #include "app/window/document/editing.h"
 #include "app/window/document/files.h"
 #include "app/window/document/starting_scene.h"
@@ -119,6 +121,20 @@ void dragOver(MainWindow& window)
     QApplication::sendEvent(&window, &enter);
 }
 
+// The export dialog with all that it shows of a target; written: after an export.
+ExportDialog& showExport(MainWindow& window, const char* target, bool written)
+{
+    window.action("export")->trigger();
+    auto& dialog = *window.findChild<ExportDialog*>();
+    dialog.setTarget(target);
+    dialog.setOut(QDir::temp().filePath(QString("bricks_of_") + target));
+    dialog.move(16, 32);
+    if (written)
+        dialog.run();
+    workUntil([&] { return !dialog.busy() && !dialog.findChild<EnginePictures*>()->busy(); });
+    return dialog;
+}
+
 const Scene kScenes[] = {
     {"first", {1280, 800}, Look::Dark, [](MainWindow&) {}},
     {"first-light", {1280, 800}, Look::Light, [](MainWindow&) {}},
@@ -181,14 +197,14 @@ const Scene kScenes[] = {
             });
             window.messageLine().setOpen(true);
         }},
-    {"export", {1280, 800}, Look::Dark,
+    {"export", {1280, 800}, Look::Dark, [](MainWindow& window) { showExport(window, "unity-urp", true); }},
+    {"export-light", {1280, 800}, Look::Light, [](MainWindow& window) { showExport(window, "godot4", false); }},
+    {"export-format", {1280, 800}, Look::Dark, [](MainWindow& window) { showExport(window, "gltf", false); }},
+    {"export-small", {800, 600}, Look::Dark, [](MainWindow& window) { showExport(window, "bevy", false).resize(768, 536); }},
+    {"packing", {1280, 800}, Look::Dark,
         [](MainWindow& window) {
-            window.action("export")->trigger();
-            auto* dialog = window.findChild<ExportDialog*>();
-            dialog->setTarget(int(findExport("unity-urp") - kExports.data()));
-            dialog->setOut(QDir::temp().filePath("bricks_of_unity"));
-            dialog->run();
-            dialog->move(500, 260);
+            showExport(window, "packed", false).findChild<QAbstractButton*>("edit-packing")->click();
+            window.findChild<PackingEditor*>()->move(100, 160);
         }},
     {"inspector", {1280, 800}, Look::Dark, [](MainWindow& window) { inspectRay(window, "relief", "cell-cone"); }},
     {"inspector-cones", {1280, 800}, Look::Light, [](MainWindow& window) { inspectRay(window, "cone", "sphere"); }},

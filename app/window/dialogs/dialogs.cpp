@@ -27,6 +27,7 @@ constexpr FileKindRow kFileKinds[] = {
     {"mesh", "Meshes", "gltf glb obj ply stl off"},
     {"panorama", "Panoramas", "hdr exr"},
     {"preset", "Presets", "json relievo"},
+    {"target", "Targets", "tpl json"},
     {"folder", "Folders", ""},
 };
 const FileKindRow& rowOf(FileKind kind)

@@ -10,7 +10,7 @@ class QWidget;
 
 namespace relievo {
 
-enum class FileKind { Source, Project, Image, Mesh, Panorama, Preset, Folder };
+enum class FileKind { Source, Project, Image, Mesh, Panorama, Preset, Target, Folder };
 
 // Whether the suffix of `file` is one of the kind's.
 bool fits(FileKind kind, const QString& file);

@@ -42,10 +42,11 @@ void EngineLabel::measure()
     const Resources& resources = m_assets.resources();
     if (!m_assets.ready() || !m_assets.upToDate() || !resources.material || !resources.mesh)
         return clear();
-    m_background.start([this, row = m_form.target(), state = m_document.state(), resources](const Progress& progress) -> Background::Then {
-        const QString told = QString::fromStdString(drawingTold(row, {state, resources, {}, 0, progress}));
-        return [this, told] { setText(told.isEmpty() ? told : told + '.'); };
-    });
+    m_background.start(
+        [this, choice = m_form.choice(), state = m_document.state(), resources](const Progress& progress) -> Background::Then {
+            const QString told = QString::fromStdString(drawingTold(*choice.target, choice.jobOf(state, resources, progress)));
+            return [this, told] { setText(told.isEmpty() ? told : told + '.'); };
+        });
 }
 
 } // namespace relievo

@@ -1,54 +1,58 @@
-// The export dialog: a target of the export table, where to and how large; it works in the background and says what it wrote.
+// The export dialog: a target of the list, how and where to; it works in the background and says what it wrote.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "app/window/document/assets.h"
-#include "core/exporters/exporters.h"
+#include "app/window/dialogs/export_run.h"
 #include <QDialog>
 
 class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace relievo {
 
+class ExportBar;
 class ExportForm;
+class FileList;
+class TargetList;
 
 // Not modal: the picture can be changed meanwhile; what is exported is the document as it was when the button was pressed.
 class ExportDialog : public QDialog {
     Q_OBJECT
 public:
     ExportDialog(const Document& document, const Assets& assets, QWidget* parent = nullptr);
-    void setTarget(int row); // of kExports
+    void present(); // shows it, before other windows
+    void setTarget(std::string_view key);
     void setOut(const QString& path);
-    bool busy() const { return m_background.busy(); }
+    bool busy() const { return m_run.busy(); }
 
 public Q_SLOTS:
-    // While the dialog is closed, the end is told in the message line.
+    // While the dialog is closed, progress and end are told in the message line.
     void run(); // asks first when something lies there that is not known to be replaceable
+    void runAgain(); // as the last time that this document was exported; when it was not, the dialog is shown
 
 Q_SIGNALS:
     void finished(bool well);
 
 protected:
     void showEvent(QShowEvent*) override;
+    void hideEvent(QHideEvent*) override;
 
 private:
     void layOut();
-    void followExport(); // its progress, end and failure
+    QWidget* details(); // of the target that is chosen
+    void followExport(); // its buttons, progress, end and failure
+    void targetChosen();
     void documentStarted();
-    void write(const QString& out);
-    void written(const QString& out, const Expected<Exported>& result);
-    void stop();
+    void askAndStart(const ExportChoice& choice);
     void tell(const Expected<Exported>& result);
-    void showWhich();
+    void forget(); // what was told
     const Document& m_document;
     const Assets& m_assets;
-    Background m_background;
+    ExportRun m_run;
+    TargetList* m_targets;
     ExportForm* m_form;
-    QLabel *m_which, *m_result;
-    QPushButton *m_export, *m_cancel;
-    QProgressBar* m_progress;
+    FileList* m_files;
+    QLabel* m_result;
+    ExportBar* m_bar;
 };
 
 } // namespace relievo

@@ -1,11 +1,13 @@
-// Choosing a target and a path.
+// Choosing size, path and cures.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/dialogs/export_form.h"
+#include "app/window/dialogs/cure_switches.h"
 #include "app/window/dialogs/dialogs.h"
+#include "app/window/dialogs/packing_choice.h"
+#include "app/window/widgets/choice_list.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
-#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -30,26 +32,34 @@ QString folderOfExports()
 {
     return QSettings().value("folders/export", QDir::homePath()).toString();
 }
+
+QLabel* helpLabel()
+{
+    auto* label = new QLabel;
+    label->setWordWrap(true);
+    label->setProperty("role", "dim");
+    label->setFont(smallFont());
+    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    label->setFixedHeight(3 * QFontMetrics(label->font()).lineSpacing()); // of the longest: what is below stays where it is
+    return label;
+}
 } // namespace
 
 ExportForm::ExportForm(const Document& document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_target(new QComboBox)
-    , m_size(new QComboBox)
-    , m_help(new QLabel)
+    , m_title(new QLabel)
+    , m_help(helpLabel())
+    , m_size(new ChoiceList)
     , m_out(new QLineEdit)
+    , m_packing(new PackingChoice)
+    , m_cures(new CureSwitches)
 {
-    for (const ExportRow& row : kExports)
-        m_target->addItem(qt(row.label));
+    m_title->setProperty("role", "heading");
+    m_title->setObjectName("target");
     for (int size : kSizes)
         m_size->addItem(size == 0 ? tr("As the maps are") : tr("%1 texels").arg(size));
-    m_help->setWordWrap(true);
-    m_help->setProperty("role", "dim");
-    m_help->setFont(smallFont());
-    m_help->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_help->setFixedHeight(3 * QFontMetrics(m_help->font()).lineSpacing()); // of the longest: what is below stays where it is
-    m_out->setMinimumWidth(320);
+    m_out->setMinimumWidth(200);
     m_out->setFixedHeight(kRowHeight);
     m_out->setObjectName("out");
     auto* browseButton = new QToolButton;
@@ -60,72 +70,72 @@ ExportForm::ExportForm(const Document& document, QWidget* parent)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(2 * kGrid);
     grid->setVerticalSpacing(2 * kGrid);
-    grid->addWidget(caption(tr("Target")), 0, 0);
-    grid->addWidget(m_target, 0, 1, 1, 2);
-    grid->addWidget(m_help, 1, 1, 1, 2);
-    grid->addWidget(caption(tr("Textures")), 2, 0);
-    grid->addWidget(m_size, 2, 1, 1, 2);
-    grid->addWidget(caption(tr("Where to")), 3, 0);
-    grid->addWidget(m_out, 3, 1);
-    grid->addWidget(browseButton, 3, 2);
-    connect(m_target, &QComboBox::currentIndexChanged, this, &ExportForm::targetChosen);
+    grid->addWidget(m_title, 0, 0, 1, 3);
+    grid->addWidget(m_help, 1, 0, 1, 3);
+    grid->addWidget(caption(tr("Where to")), 2, 0);
+    grid->addWidget(m_out, 2, 1);
+    grid->addWidget(browseButton, 2, 2);
+    grid->addWidget(caption(tr("Textures")), 3, 0);
+    grid->addWidget(m_size, 3, 1, 1, 2);
+    grid->addWidget(caption(tr("Packing")), 4, 0);
+    grid->addWidget(m_packing, 4, 1, 1, 2);
+    grid->addWidget(m_cures, 5, 1, 1, 2);
     connect(m_out, &QLineEdit::textEdited, this, [this] {
         m_named = true;
         Q_EMIT edited();
     });
+    connect(m_size, &QComboBox::currentIndexChanged, this, &ExportForm::edited);
+    connect(m_cures, &CureSwitches::edited, this, &ExportForm::edited);
+    connect(m_packing, &PackingChoice::edited, this, [this] {
+        showUsedCures();
+        Q_EMIT edited();
+    });
+    connect(m_packing, &PackingChoice::refused, this, &ExportForm::refused);
     connect(browseButton, &QToolButton::clicked, this, &ExportForm::browse);
-    targetChosen();
 }
 
-const ExportRow& ExportForm::target() const
+void ExportForm::setTarget(const ExportRow& target)
 {
-    return kExports[std::size_t(m_target->currentIndex())];
+    m_target = &target;
+    m_title->setText(qt(target.label));
+    m_help->setText(qt(target.help));
+    m_packing->setTarget(target);
+    showUsedCures();
+    m_named = false;
+    propose();
+    Q_EMIT edited();
 }
 
-void ExportForm::setTarget(int row)
+void ExportForm::showUsedCures()
 {
-    m_target->setCurrentIndex(row);
+    m_cures->setUsed(curesUsedBy(*m_target, m_packing->packing().get()));
 }
 
-int ExportForm::size() const
+ExportChoice ExportForm::choice() const
 {
-    return kSizes[m_size->currentIndex()];
+    return {m_target, completed(), kSizes[m_size->currentIndex()], m_cures->cures(), m_packing->packing()};
 }
 
-QString ExportForm::typed() const
-{
-    return m_out->text();
-}
-
-QString ExportForm::completePath()
+QString ExportForm::completed() const
 {
     QString path = m_out->text().trimmed();
     if (path.isEmpty())
         return {};
-    if (const QString suffix = qt(target().suffix); !path.endsWith(suffix, Qt::CaseInsensitive))
+    if (const QString suffix = qt(m_target->suffix); !path.endsWith(suffix, Qt::CaseInsensitive))
         path += suffix;
-    path = QDir::cleanPath(QDir(folderOfExports()).absoluteFilePath(path));
-    m_out->setText(path);
-    return path;
+    return QDir::cleanPath(QDir(folderOfExports()).absoluteFilePath(path));
 }
 
-QString ExportForm::takenBy(const std::vector<std::filesystem::path>& files) const
+void ExportForm::complete()
 {
-    const QFileInfo out(m_out->text());
-    if (mayReplace(out.absoluteFilePath()) && out.isDir())
-        return {};
-    if (out.isDir() && !QDir(out.absoluteFilePath()).isEmpty())
-        return out.absoluteFilePath();
-    for (const std::filesystem::path& file : files)
-        if (const QString path = QString::fromStdString(file.string()); QFileInfo::exists(path) && !mayReplace(path))
-            return path;
-    return {};
+    m_out->setText(completed());
 }
 
 void ExportForm::setOut(const QString& path)
 {
     m_named = true;
     m_out->setText(path);
+    Q_EMIT edited();
 }
 
 void ExportForm::propose()
@@ -134,7 +144,7 @@ void ExportForm::propose()
         return;
     QString name = m_document.name().toLower();
     name.replace(' ', '_');
-    m_out->setText(QDir(folderOfExports()).filePath(name + qt(target().suffix)));
+    m_out->setText(QDir(folderOfExports()).filePath(name + qt(m_target->suffix)));
 }
 
 void ExportForm::rememberFolder(const QString& path)
@@ -142,22 +152,14 @@ void ExportForm::rememberFolder(const QString& path)
     QSettings().setValue("folders/export", QFileInfo(path).absolutePath());
 }
 
-void ExportForm::targetChosen()
-{
-    m_help->setText(qt(target().help));
-    m_named = false;
-    propose();
-    Q_EMIT edited();
-}
-
 void ExportForm::browse()
 {
-    if (target().suffix.empty())
+    if (m_target->suffix.empty())
         askForFile(this, tr("Export to folder"), FileKind::Folder, [this](const QString& folder) { setOut(folder); });
     else
-        askWhereToSave(this, tr("Export to"), m_out->text(), qt(target().suffix).mid(1), [this](const QString& file) {
+        askWhereToSave(this, tr("Export to"), m_out->text(), qt(m_target->suffix).mid(1), [this](const QString& file) {
             setOut(file);
-            allowReplacing(QFileInfo(file).absoluteFilePath()); // the chooser has asked
+            Q_EMIT chosenInBox(QFileInfo(file).absoluteFilePath());
         });
 }
 

@@ -1,13 +1,9 @@
-// What is exported as which target, how large and where to.
+// How a target is exported: how large, where to, and with which cures.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "app/window/document/document.h"
-#include "core/exporters/exporters.h"
-#include <QStringList>
+#include "app/window/dialogs/export_run.h"
 #include <QWidget>
-#include <filesystem>
-#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -15,40 +11,39 @@ class QLineEdit;
 
 namespace relievo {
 
+class CureSwitches;
+class PackingChoice;
+
 // Proposes a path by the document's name, until one is typed or chosen.
 class ExportForm : public QWidget {
     Q_OBJECT
 public:
     explicit ExportForm(const Document& document, QWidget* parent = nullptr);
-    const ExportRow& target() const;
-    void setTarget(int row); // of kExports
-    int size() const; // texels; 0: as the maps are
-    QString typed() const; // the path as it stands there
-    QString completePath(); // makes it absolute and gives it the target's suffix; "" when none is typed
+    const ExportRow& target() const { return *m_target; }
+    void setTarget(const ExportRow& target);
+    ExportChoice choice() const; // its path as `complete` would make it
+    void complete(); // the path that is shown becomes absolute, with the target's suffix; an empty one stays
     void setOut(const QString& path);
     void propose();
-
-    // Whether what lies at `path` was chosen knowingly, or was written from this document.
-    bool mayReplace(const QString& path) const { return m_replaceable.contains(path); }
-    // The first of what an export to the completed path writes over that may not be replaced unasked, or the folder that it mixes its
-    // files into; "" when there is none.
-    QString takenBy(const std::vector<std::filesystem::path>& files) const;
-    void allowReplacing(const QString& path) { m_replaceable.append(path); }
-    void forgetReplaceable() { m_replaceable.clear(); }
     static void rememberFolder(const QString& path); // for the next proposals
 
 Q_SIGNALS:
-    void edited(); // another target, or another path was typed
+    void edited(); // another choice
+    void refused(const relievo::Error& why); // a packing that cannot be used
+    void chosenInBox(const QString& path); // the file chooser has asked whether it may be replaced
 
 private:
-    void targetChosen();
+    QString completed() const;
+    void showUsedCures();
     void browse();
     const Document& m_document;
-    QComboBox *m_target, *m_size;
-    QLabel* m_help;
+    const ExportRow* m_target = nullptr;
+    QLabel *m_title, *m_help;
+    QComboBox* m_size;
     QLineEdit* m_out;
+    PackingChoice* m_packing;
+    CureSwitches* m_cures;
     bool m_named = false; // the path was typed or chosen: it is not proposed anew
-    QStringList m_replaceable;
 };
 
 } // namespace relievo

@@ -16,6 +16,7 @@ Switch::Switch(QWidget* parent) : QAbstractButton(parent)
 void Switch::paintEvent(QPaintEvent*)
 {
     SmoothPainter painter(this);
+    painter.setOpacity(isEnabled() ? 1. : 0.4);
     const QRectF track(1, height() / 2. - 7, 28, 14);
     painter.setPen(isChecked() ? accent(palette()) : lineColor(palette()));
     painter.setBrush(isChecked() ? accent(palette()) : field(palette()));

@@ -77,12 +77,12 @@ std::optional<PackedChannel> channelOf(const std::string& word)
     return std::nullopt;
 }
 
-std::string channelWords()
+std::vector<std::string> channelWords()
 {
-    std::string words;
-    for (const PackedChannel& channel : allChannels())
-        words += channel.word + ' ';
-    return words + "and numbers from 0.0 to 1.0";
+    std::vector<std::string> words;
+    for (PackedChannel& channel : allChannels())
+        words.push_back(std::move(channel.word));
+    return words;
 }
 
 } // namespace relievo

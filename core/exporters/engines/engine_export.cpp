@@ -49,10 +49,7 @@ std::string drawingTold(const ExportRow& row, const WrittenHeights& heights, con
     const TechniqueRow* const technique = findTechnique(row.engine.technique);
     if (!technique || !heights.field)
         return {};
-    Parameters written = parameters;
-    written.depth *= heights.span;
-    written.midlevel = std::clamp(heights.midlevel(parameters), 0.f, 1.f);
-    const Expected<EngineDrawing> drawing = drawnBy(*technique, written, *heights.field, kEngineAngle, progress);
+    const Expected<EngineDrawing> drawing = drawnBy(*technique, heights.with(parameters), *heights.field, kEngineAngle, progress);
     return drawing ? sentence(*technique, *drawing) : std::string();
 }
 

@@ -185,6 +185,14 @@ private:
 };
 } // namespace
 
+Parameters WrittenHeights::with(const Parameters& parameters) const
+{
+    Parameters written = parameters;
+    written.depth *= span;
+    written.midlevel = std::clamp(midlevel(parameters), 0.f, 1.f);
+    return written;
+}
+
 float WrittenHeights::coarseness(const Parameters& parameters) const
 {
     return isFine ? parameters.depth * span / 255.f * float(field->width()) : 0.f;

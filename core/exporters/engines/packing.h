@@ -17,6 +17,8 @@ struct WrittenHeights {
     {
         return (parameters.midlevel - low) / span;
     } // of the written heights; may leave [0, 1]
+    // The parameters that draw the written heights as the material's own are drawn, as far as a midlevel in [0, 1] does.
+    Parameters with(const Parameters& parameters) const;
     // One step of 8 bits in widths of a texel, where the heights came in finer ones; else 0. Terraces show where it is not small.
     float coarseness(const Parameters& parameters) const;
 };

@@ -18,8 +18,14 @@ namespace {
 using Json = nlohmann::json;
 constexpr std::size_t kLongest = std::size_t(1) << 20; // bytes of a target's file
 constexpr std::string_view kSection = "=== ", kEach = " each texture";
-constexpr std::string_view kWhens[] = {"always", "8 bits show", "exact search", "filtered search", "codes", "no codes"}; // by When
-constexpr std::string_view kFormats[] = {".png", ".tif", ".tga", ".jpg", ".exr"};
+
+std::string listed(const std::vector<std::string>& words)
+{
+    std::string list;
+    for (const std::string& word : words)
+        list += word + ' ';
+    return list;
+}
 
 class Reader {
 public:
@@ -43,6 +49,8 @@ public:
         const auto keep = [&words](std::string word) -> std::string_view { return words->emplace_back(std::move(word)); };
         auto row = std::make_unique<ExportRow>();
         row->key = keep(key);
+        row->group = ExportGroup::Own;
+        row->icon = "own-target";
         row->label = keep(head.value("label", key));
         row->help = keep(head.value("help", "A target of your own: " + m_where));
         EngineFacts& engine = row->engine;
@@ -89,25 +97,25 @@ private:
         if (std::ranges::count(m_target.textures, texture.key, &PackedTexture::key))
             return wrong(at + ".key", "stands there twice");
         texture.file = json.value("file", "");
-        if (std::ranges::find(kFormats, lowerSuffix(texture.file)) == std::end(kFormats))
+        if (std::ranges::find(kTextureSuffixes, lowerSuffix(texture.file)) == std::end(kTextureSuffixes))
             return wrong(at + ".file", "must end in .png, .tif, .tga, .jpg or .exr");
         for (const Json& word : json.value("channels", Json::array())) {
             const std::optional<PackedChannel> channel = word.is_string() ? channelOf(word.get<std::string>()) : std::nullopt;
             if (!channel)
-                return wrong(at + ".channels", word.dump() + " is no channel; there are " + channelWords());
+                return wrong(
+                    at + ".channels", word.dump() + " is no channel; there are " + listed(channelWords()) + "and numbers from 0.0 to 1.0");
             texture.channels.push_back(*channel);
         }
         if (texture.channels.empty() || texture.channels.size() > 4)
             return wrong(at + ".channels", "must be 1 to 4 words");
         texture.bits = json.value("bits", lowerSuffix(texture.file) == ".exr" ? 32 : 8);
-        if (texture.bits != 8 && texture.bits != 16 && texture.bits != 32)
+        if (std::ranges::find(kTextureBits, texture.bits) == std::end(kTextureBits))
             return wrong(at + ".bits", "must be 8, 16 or 32");
         texture.srgb = json.value("srgb", false);
-        const std::string when = json.value("when", std::string(kWhens[0]));
-        const auto known = std::ranges::find(kWhens, when);
-        if (known == std::end(kWhens))
+        const auto when = choiceOf<PackedTexture::When>(json.value("when", std::string(wordOf(texture.when))));
+        if (!when)
             return wrong(at + ".when", "can only be \"8 bits show\", \"exact search\", \"filtered search\", \"codes\" or \"no codes\"");
-        texture.when = PackedTexture::When(known - std::begin(kWhens));
+        texture.when = *when;
         m_target.textures.push_back(std::move(texture));
         return {};
     }
@@ -198,6 +206,23 @@ Expected<TargetText> parseTarget(const std::string& text, const std::string& whe
     if (auto read = readSections(text, sections, target); !read)
         return tl::unexpected(read.error());
     return target;
+}
+
+std::string packingText(const std::vector<PackedTexture>& textures)
+{
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const PackedTexture& texture : textures) {
+        nlohmann::ordered_json one
+            = {{"key", texture.key}, {"file", texture.file}, {"channels", nlohmann::ordered_json::array()}, {"bits", texture.bits}};
+        for (const PackedChannel& channel : texture.channels)
+            one["channels"].push_back(channel.word);
+        if (texture.srgb)
+            one["srgb"] = true;
+        if (texture.when != PackedTexture::When::Always)
+            one["when"] = wordOf(texture.when);
+        list.push_back(std::move(one));
+    }
+    return nlohmann::ordered_json{{"textures", list}}.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 const TargetText& textOf(const ExportRow& row)

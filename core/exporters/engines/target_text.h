@@ -32,6 +32,26 @@ struct PackedTexture {
     bool holdsHeight() const;
     bool holdsData() const; // numbers that mip levels and compression would spoil: heights and baked maps
 };
+constexpr std::string_view wordOf(PackedTexture::When when)
+{
+    switch (when) {
+    case PackedTexture::When::Always:
+        return "always";
+    case PackedTexture::When::EightBitsShow:
+        return "8 bits show";
+    case PackedTexture::When::ExactSearch:
+        return "exact search";
+    case PackedTexture::When::FilteredSearch:
+        return "filtered search";
+    case PackedTexture::When::Codes:
+        return "codes";
+    case PackedTexture::When::NoCodes:
+        return "no codes";
+    }
+    return {};
+}
+inline constexpr std::string_view kTextureSuffixes[] = {".png", ".tif", ".tga", ".jpg", ".exr"};
+inline constexpr int kTextureBits[] = {8, 16, 32};
 struct TargetFile {
     std::string name; // template; relative, never out of the folder
     std::string text; // template
@@ -59,6 +79,9 @@ Expected<const ExportRow*> ownTarget(const std::filesystem::path& file);
 
 // A channel's word; nothing when it is none.
 std::optional<PackedChannel> channelOf(const std::string& word);
-std::string channelWords(); // all of them, for messages and the manual
+std::vector<std::string> channelWords(); // all of them but the numbers
+
+// The JSON that parseTarget reads as these textures. Of a channel its word alone counts.
+std::string packingText(const std::vector<PackedTexture>& textures);
 
 } // namespace relievo
