@@ -4,6 +4,7 @@
 #include "core/exporters/exporters.h"
 #include "core/exporters/engines/engine_export.h"
 #include "core/exporters/engines/target_text.h"
+#include "core/ground/text.h"
 #include "core/scene/inputs.h"
 #include <algorithm>
 
@@ -13,6 +14,12 @@ const ExportRow* findExport(std::string_view key)
 {
     const auto found = std::ranges::find(kExports, key, &ExportRow::key);
     return found == kExports.end() ? nullptr : &*found;
+}
+
+bool ExportRow::takes(const std::filesystem::path& out) const
+{
+    const std::string given = lowerSuffix(out);
+    return suffix.empty() || given == suffix || (!otherSuffix.empty() && given == otherSuffix);
 }
 
 Expected<Exported> ExportRow::run(const ExportJob& job) const

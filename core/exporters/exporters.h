@@ -117,12 +117,14 @@ struct ExportRow {
     ExportGroup group = ExportGroup::Engines;
     std::string_view icon = "engine"; // file under resources/icons without suffix: one shape a family
     std::string_view suffix = {}; // ".glb"; "" when `out` is a folder
+    std::string_view otherSuffix = {}; // of a second form of the same file, which `out` may have instead
     Expected<Exported> (*code)(const ExportJob& job) = nullptr;
     std::vector<std::filesystem::path> (*codeWrites)(const ExportJob& job) = nullptr; // the files that `code` makes or replaces
     EngineFacts engine = {};
     std::string_view help;
     const TargetText* text = nullptr; // a user's own
 
+    bool takes(const std::filesystem::path& out) const; // a folder, or a file whose suffix fits
     Expected<Exported> run(const ExportJob& job) const;
     std::vector<std::filesystem::path> writes(const ExportJob& job) const; // the files that `run` makes or replaces
 };
@@ -143,14 +145,15 @@ std::vector<std::filesystem::path> filesOfWeb(const ExportJob& job);
 inline constexpr std::string_view kShaderLimits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's.";
 inline constexpr auto kExports = std::to_array<ExportRow>({
     {.key = "gltf",
-        .label = "glTF binary",
+        .label = "glTF",
         .group = ExportGroup::Formats,
         .icon = "mesh",
         .suffix = ".glb",
+        .otherSuffix = ".gltf",
         .code = exportGltf,
         .codeWrites = filesOfGltf,
-        .help
-        = "Mesh and material in one file: base color, normal, packed occlusion-roughness-metallic, height in RELIEVO_materials_relief."},
+        .help = "Mesh and material in one file (.glb) or two (.gltf and .bin): base color, normal, packed occlusion-roughness-metallic, "
+                "height in RELIEVO_materials_relief."},
     {.key = "textures",
         .label = "Texture folder",
         .group = ExportGroup::Formats,

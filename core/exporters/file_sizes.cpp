@@ -9,7 +9,7 @@
 
 namespace relievo {
 namespace {
-// Bytes written for one byte of pixels, as measured of photographed sets.
+// Bytes written for one byte of pixels: a guess.
 struct FormatRow {
     std::string_view suffix;
     double eightBits, more;
@@ -82,7 +82,7 @@ double aboutBytes(const ExportRow& row, const ExportJob& job, const std::filesys
     const double height = pictureBytes(texelsOf(job, MapKind::Height), 1, 16, ".png");
     if (!row.code)
         return textBytes(row, job, file.lexically_relative(job.out).string());
-    if (suffix == ".glb")
+    if (suffix == ".glb" || suffix == ".bin")
         return wholeBytes(job);
     if (suffix == ".html")
         return (wholeBytes(job) + height) * kBase64;

@@ -7,7 +7,7 @@
 namespace relievo {
 
 // Bytes of one of the files that `row.writes(job)` names; 0 for texts, which are small. From the sizes of the maps and what a format
-// usually makes of photographed ones: within a factor of three.
+// often makes of pictures: a rough guess, that noise or flat maps are far from.
 double aboutBytes(const ExportRow& row, const ExportJob& job, const std::filesystem::path& file);
 
 } // namespace relievo

@@ -12,6 +12,19 @@ void put(std::vector<std::byte>& out, std::uint32_t value)
     for (int shift = 0; shift < 32; shift += 8)
         out.push_back(std::byte(value >> shift & 0xffu));
 }
+
+// A file's name as a URI, RFC 3986: unreserved characters stay.
+std::string uriOf(const std::string& name)
+{
+    constexpr std::string_view kDigits = "0123456789ABCDEF", kPlain = "-._~";
+    std::string uri;
+    for (const char c : name)
+        if ((c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || kPlain.find(c) != std::string_view::npos)
+            uri += c;
+        else
+            uri.append({'%', kDigits[std::size_t(std::uint8_t(c)) >> 4], kDigits[std::size_t(std::uint8_t(c)) & 15]});
+    return uri;
+}
 } // namespace
 
 std::size_t GlbFile::addView(const void* data, std::size_t bytes, int target)
@@ -45,12 +58,24 @@ void GlbFile::use(const char* extension)
         m_extensions.push_back(extension);
 }
 
-Expected<std::vector<std::byte>> GlbFile::bytes(const std::string& where)
+void GlbFile::close()
 {
     if (!m_extensions.empty())
         json["extensionsUsed"] = m_extensions;
     m_binary.resize((m_binary.size() + 3) / 4 * 4);
     json["buffers"] = GlbJson::array({{{"byteLength", m_binary.size()}}});
+}
+
+std::string GlbFile::text(const std::string& binaryFile)
+{
+    close();
+    json["buffers"][0]["uri"] = uriOf(binaryFile);
+    return json.dump(1, ' ', false, GlbJson::error_handler_t::replace) + '\n';
+}
+
+Expected<std::vector<std::byte>> GlbFile::bytes(const std::string& where)
+{
+    close();
     std::string text = json.dump(-1, ' ', false, GlbJson::error_handler_t::replace);
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t total = 12 + 8 + text.size() + 8 + m_binary.size();

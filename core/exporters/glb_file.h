@@ -27,7 +27,13 @@ public:
     // The whole file. An error, of `where`, when it would be larger than a .glb can be.
     Expected<std::vector<std::byte>> bytes(const std::string& where);
 
+    // The same as two: the text of a .gltf that names `binaryFile`, and what is to be in that.
+    std::string text(const std::string& binaryFile);
+    const std::vector<std::byte>& binary() const { return m_binary; }
+
 private:
+    void close(); // nothing is added any more
+
     std::vector<std::byte> m_binary;
     std::vector<std::string> m_extensions;
 };

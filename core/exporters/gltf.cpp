@@ -1,4 +1,4 @@
-// Export target "gltf": mesh and material as one .glb, and the height map at 16 bits beside it.
+// Export target "gltf": mesh and material as one .glb, or as .gltf and .bin, and the height map at 16 bits beside it.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/gltf_material.h"
@@ -6,6 +6,7 @@
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
 #include "core/ground/file.h"
+#include "core/ground/text.h"
 #include "core/mesh/animation/pose.h"
 #include <algorithm>
 
@@ -40,18 +41,43 @@ fs::path heightBeside(const ExportJob& job)
     }
 }
 
-// Both files or none.
-Expected<std::vector<fs::path>> writeFiles(const ExportJob& job, const std::vector<std::byte>& glb)
+bool isText(const ExportJob& job)
 {
-    if (Expected<void> free = refuseToOverwriteSources(job, job.out); !free)
-        return tl::unexpected(free.error());
+    return lowerSuffix(job.out) == ".gltf";
+}
+fs::path binaryOf(const ExportJob& job)
+{
+    return fs::path(job.out).replace_extension(".bin");
+}
+
+Expected<void> writeGltf(const ExportJob& job, GlbFile& file, NewFiles& made)
+{
+    made.willMake(job.out);
+    if (!isText(job)) {
+        const Expected<std::vector<std::byte>> glb = file.bytes(job.out.string());
+        return glb ? writeAtomically(job.out, *glb) : tl::unexpected(glb.error());
+    }
+    const std::string text = file.text(binaryOf(job).filename().string());
+    made.willMake(binaryOf(job));
+    if (Expected<void> written = writeAtomically(binaryOf(job), file.binary()); !written)
+        return written;
+    return writeAtomically(job.out, text);
+}
+
+// All files or none.
+Expected<std::vector<fs::path>> writeFiles(const ExportJob& job, GlbFile& file)
+{
+    std::vector<fs::path> files{job.out};
+    if (isText(job))
+        files.push_back(binaryOf(job));
+    for (const fs::path& one : files)
+        if (Expected<void> free = refuseToOverwriteSources(job, one); !free)
+            return tl::unexpected(free.error());
     NewFiles made;
     if (Expected<void> folder = made.makeFolder(job.out.parent_path()); !folder)
         return tl::unexpected(folder.error());
-    made.willMake(job.out);
-    if (Expected<void> written = writeAtomically(job.out, glb); !written)
+    if (Expected<void> written = writeGltf(job, file, made); !written)
         return tl::unexpected(written.error());
-    std::vector<fs::path> files{job.out};
     if (const std::optional<HeightField>& height = job.resources.material->height) {
         files.push_back(heightBeside(job));
         made.willMake(files.back());
@@ -67,6 +93,8 @@ Expected<std::vector<fs::path>> writeFiles(const ExportJob& job, const std::vect
 std::vector<fs::path> filesOfGltf(const ExportJob& job)
 {
     std::vector<fs::path> files{job.out};
+    if (isText(job))
+        files.push_back(binaryOf(job));
     if (job.resources.material->height)
         files.push_back(heightBeside(job));
     return files;
@@ -89,10 +117,7 @@ Expected<Exported> exportGltf(const ExportJob& job)
         addPlainMaterial(file, parameters);
     tellLeftOut(job, parameters, exported.warnings);
     job.progress.at(0.9f);
-    const Expected<std::vector<std::byte>> glb = file.bytes(job.out.string());
-    if (!glb)
-        return tl::unexpected(glb.error());
-    Expected<std::vector<fs::path>> files = writeFiles(job, *glb);
+    Expected<std::vector<fs::path>> files = writeFiles(job, file);
     if (!files)
         return tl::unexpected(files.error());
     exported.files = std::move(*files);

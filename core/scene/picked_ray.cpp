@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/picked_ray.h"
+#include "core/mesh/frames/push.h"
 #include "core/shader_text/scene_uniforms.h"
 #include "core/state/techniques.h"
 #include <algorithm>
@@ -38,9 +39,10 @@ std::optional<Crossing> crossing(dvec3 eye, dvec3 way, dvec3 p0, dvec3 p1, dvec3
 
 std::optional<Crossing> firstOf(const Mesh& mesh, double pushOut, dvec3 eye, dvec3 way)
 {
+    const std::vector<glm::vec3> push = pushOut != 0. ? pushDirections(mesh) : std::vector<glm::vec3>();
     const auto place = [&](std::size_t i) {
-        const Vertex& vertex = mesh.vertices[mesh.indices[i]];
-        return dvec3(vertex.position) + pushOut * dvec3(vertex.normal);
+        const std::uint32_t vertex = mesh.indices[i];
+        return dvec3(mesh.vertices[vertex].position) + (push.empty() ? dvec3(0.) : pushOut * dvec3(push[vertex]));
     };
     std::optional<Crossing> first;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)

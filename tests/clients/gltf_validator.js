@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 const fs = require('fs');
+const path = require('path');
 const validator = require('gltf-validator');
 
 async function check(file) {
-  const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {maxIssues: 50});
+  const beside = async (uri) => new Uint8Array(fs.readFileSync(path.join(path.dirname(file), decodeURIComponent(uri))));
+  const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {maxIssues: 50, externalResourceFunction: beside});
   const {numErrors, numWarnings} = report.issues;
   console.log(`${file}: ${numErrors} errors, ${numWarnings} warnings, ${report.info.totalTriangleCount} triangles`);
   for (const issue of report.issues.messages.filter(message => message.severity < 2))

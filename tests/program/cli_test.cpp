@@ -11,6 +11,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 using nlohmann::json;
@@ -80,7 +81,7 @@ TEST(Cli, WrongUsageIsTwo)
             "render " + kSource + out + " --set depth=9", "render " + kSource + out + " --set deep=1",
             "render " + kSource + out + " --camera pitch=100", "render " + kSource + out + " --nonsense", "render " + kSource + "-o x.gif",
             "bake " + kSource + out + " --map none", "export " + kSource + out + " --target none",
-            "export " + kSource + "--target gltf -o " + (folder / "x.gltf"), "render " + kSource + out + " --view nosuch --views normal",
+            "export " + kSource + "--target gltf -o " + (folder / "x.obj"), "render " + kSource + out + " --view nosuch --views normal",
             "render " + kSource + "-o x.exr --views normal,normal", "render " + kSource + out + " --height a.png --depth-map b.png",
             "bake " + kSource + out + " --map cone --bits 32", "bake " + kSource + "--map normal -o x.jpg",
             "bake " + kSource + out + " --map cell-cone --bits 8", "describe nothing", std::string("no-such-command"), "--nonsense",
@@ -153,6 +154,38 @@ TEST(Cli, RenderFollowsItsOptions)
     for (const char* option :
         {"--technique flat", "--set depth=0.3", "--mesh sphere", "--camera yaw=80", "--preset preview --set depth=0.2", "--view normal"})
         EXPECT_NE(rendered(option), plain) << option;
+}
+
+TEST(Cli, SequencesTurnOnceAndLoop)
+{
+    TestFolder folder("frames");
+    const std::string size = " --size 48x48 --samples 1 ";
+    const auto sequence = [&](const std::string& options, const std::string& name) {
+        const ProgramRun run = runRelievo("render " + kSource + "--json --frames 4 " + options + size + "-o " + (folder / name));
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return run.exitCode == 0 ? json::parse(run.out)["files"].get<std::vector<std::string>>() : std::vector<std::string>();
+    };
+    for (const std::string turn : {"", "--turntable", "--light-turn"}) {
+        const auto files = sequence("--camera yaw=10 " + turn, "a" + turn + ".###.png");
+        ASSERT_EQ(files.size(), 4u);
+        EXPECT_EQ(std::filesystem::path(files[3]).filename(), "a" + turn + ".004.png");
+        std::set<std::string> pictures;
+        for (const std::string& file : files)
+            pictures.insert(*relievo::readText(file));
+        EXPECT_EQ(pictures.size(), 4u) << turn;
+    }
+    // A quarter further round is where the next picture of the first begins; two quarters on, the light is opposite.
+    EXPECT_EQ(*relievo::readText(sequence("--camera yaw=100,distance=2", "b.#.png")[0]),
+        *relievo::readText(sequence("--camera yaw=10,distance=2", "c.#.png")[1]));
+    EXPECT_EQ(*relievo::readText(sequence("--light-turn --set lightYaw=150", "d.#.png")[2]),
+        *relievo::readText(sequence("--light-turn --set lightYaw=-30", "e.#.png")[0]));
+    for (const auto& [options, told] : {std::pair("--frames 3 -o " + (folder / "x.png"), "as in turn.####.png"),
+             std::pair("--turntable -o " + (folder / "x.png"), "Add --frames N"),
+             std::pair("--frames 0 -o " + (folder / "x.#.png"), "--frames")}) {
+        const ProgramRun run = runRelievo("render " + kSource + options + size);
+        EXPECT_EQ(run.exitCode, 2) << options;
+        EXPECT_NE(run.err.find(told), std::string::npos) << run.err;
+    }
 }
 
 TEST(Cli, AnimationsThatTheMeshLacksAreTold)

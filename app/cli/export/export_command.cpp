@@ -88,9 +88,11 @@ struct Written {
 Result<Written> exportScene(const ExportOptions& options, const std::vector<const ExportRow*>& rows)
 {
     for (const ExportRow* row : rows)
-        if (rows.size() == 1 && !row->suffix.empty() && lowerSuffix(options.out) != row->suffix)
-            return problem(
-                {"this target writes " + std::string(row->suffix), "-o " + options.out, "Give the file that suffix"}, WrongUsage);
+        if (rows.size() == 1 && !row->takes(options.out))
+            return problem({"this target writes " + std::string(row->suffix)
+                                   + (row->otherSuffix.empty() ? "" : " or " + std::string(row->otherSuffix)),
+                               "-o " + options.out, "Give the file that suffix"},
+                WrongUsage);
     std::optional<TargetText> packing;
     if (!options.packing.empty()) {
         const auto text = readText(options.packing);

@@ -121,8 +121,8 @@ QString ExportForm::completed() const
     QString path = m_out->text().trimmed();
     if (path.isEmpty())
         return {};
-    if (const QString suffix = qt(m_target->suffix); !path.endsWith(suffix, Qt::CaseInsensitive))
-        path += suffix;
+    if (!m_target->takes(path.toStdString()))
+        path += qt(m_target->suffix);
     return QDir::cleanPath(QDir(folderOfExports()).absoluteFilePath(path));
 }
 

@@ -69,6 +69,25 @@ protected:
 };
 } // namespace
 
+TEST_F(Export, GltfAsTextHoldsTheSameInTwoFiles)
+{
+    ASSERT_TRUE(run("gltf", "a.glb"));
+    const Expected<Exported> exported = run("gltf", "b \xc3\xbc#.gltf");
+    ASSERT_TRUE(exported) << message(exported.error());
+    ASSERT_EQ(exported->files.size(), 3u);
+    EXPECT_EQ(exported->files[1].filename(), "b \xc3\xbc#.bin");
+    json binary = glb("a.glb"), text = json::parse(*readText(exported->files[0]));
+    EXPECT_EQ(text["buffers"][0]["uri"], "b%20%C3%BC%23.bin");
+    EXPECT_EQ(text["buffers"][0]["byteLength"], std::filesystem::file_size(exported->files[1]));
+    text["buffers"][0].erase("uri");
+    EXPECT_EQ(text, binary);
+    const auto mesh = openMesh(exported->files[0].string());
+    ASSERT_TRUE(mesh) << message(mesh.error());
+    EXPECT_TRUE(mesh->materials.front().relief);
+    EXPECT_EQ(findExport("gltf")->takes("x.GLTF"), true);
+    EXPECT_EQ(findExport("gltf")->takes("x.obj"), false);
+}
+
 TEST_F(Export, GlbHoldsMaterialAndRelief)
 {
     m_state.parameters.midlevel = 0.5f;
