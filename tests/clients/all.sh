@@ -21,6 +21,7 @@ rows=(
   "web_page|opens from disk without a message, pictures agree with render|^Chromium "
   "blender|lists the glTF material, runs the script, displaces by the promised depth|^Blender [0-9.]+:"
   "engines|techniques that draw as engines do, against the engines|^Godot |^(babylon|playcanvas) "
+  "recipes|the manual's lines for GNU parallel and Slurm, run as they stand|^(GNU parallel|Slurm) "
 )
 failed=0
 table=()

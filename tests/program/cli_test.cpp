@@ -5,6 +5,7 @@
 #include "core/image/files/image_file.h"
 #include "core/maps/maps.h"
 #include "core/state/parameters.h"
+#include "core/state/presets.h"
 #include "tests/program/run.h"
 #include <array>
 #include <cmath>
@@ -186,6 +187,25 @@ TEST(Cli, SequencesTurnOnceAndLoop)
         EXPECT_EQ(run.exitCode, 2) << options;
         EXPECT_NE(run.err.find(told), std::string::npos) << run.err;
     }
+}
+
+TEST(Cli, AllScenesMakeAGallery)
+{
+    TestFolder folder("gallery");
+    const std::string out = folder / "new/gallery";
+    const ProgramRun run = runRelievo("render --all-scenes --json --size 32x24 --samples 1 -o " + out);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json told = json::parse(run.out);
+    std::size_t scenes = 0;
+    for (const relievo::PresetRow& row : relievo::kPresets)
+        if (!row.sample.empty()) {
+            ++scenes;
+            EXPECT_TRUE(isPng(out + '/' + std::string(row.key) + ".png")) << row.key;
+        }
+    EXPECT_EQ(told["files"].size(), scenes);
+    EXPECT_GT(scenes, 0u);
+    EXPECT_EQ(runRelievo("render sample:bricks --all-scenes -o " + out).exitCode, 2);
+    EXPECT_EQ(runRelievo("render --all-scenes --frames 3 -o " + out).exitCode, 2);
 }
 
 TEST(Cli, AnimationsThatTheMeshLacksAreTold)

@@ -7,6 +7,7 @@
 #include "core/image/files/image_file.h"
 #include "core/scene/exact_distances.h"
 #include "core/scene/inputs.h"
+#include "core/state/presets.h"
 #include "core/state/views.h"
 #include "render/legend.h"
 #include "render/windowless.h"
@@ -29,6 +30,7 @@ struct RenderOptions {
     int width = 0, height = 0;
     int frames = 0; // of a sequence; 0: one picture
     bool turntable = false, lightTurn = false;
+    bool allScenes = false; // `out` is a folder
 };
 
 bool parseSize(RenderOptions& options)
@@ -132,11 +134,10 @@ Result<void> drawFrame(
     return {};
 }
 
-Result<Rendered> render(RenderOptions& options)
+Result<Rendered> render(RenderOptions& options, const Progress& progress)
 {
     if (const auto good = check(options); !good)
         return tl::unexpected(good.error());
-    const Progress progress = shownProgress(options.common);
     auto scene = openScene(options.state, progress.part(0.f, 0.5f));
     if (!scene)
         return tl::unexpected(scene.error());
@@ -156,6 +157,31 @@ Result<Rendered> render(RenderOptions& options)
     }
     done.warnings = scene->warnings;
     return done;
+}
+
+// Every scene as a picture of the folder.
+Result<Rendered> renderGallery(const RenderOptions& options, const Progress& progress)
+{
+    if (!options.state.source.empty())
+        return problem({"the scenes bring their own materials", "SOURCE " + options.state.source, "Leave it out"}, WrongUsage);
+    std::error_code code;
+    fs::create_directories(options.out, code);
+    if (!fs::is_directory(options.out, code))
+        return problem({"the folder cannot be made", options.out, "Choose a folder that you may write to", ErrorCode::NotWritable});
+    Rendered all;
+    for (std::size_t i = 0; i < kPresets.size(); ++i) {
+        if (kPresets[i].sample.empty())
+            continue;
+        RenderOptions one = options;
+        one.state.source = "scene:" + std::string(kPresets[i].key);
+        one.out = (fs::path(options.out) / (std::string(kPresets[i].key) + ".png")).string();
+        const auto done = render(one, progress.part(float(i) / float(kPresets.size()), float(i + 1) / float(kPresets.size())));
+        if (!done)
+            return tl::unexpected(done.error());
+        all.files.insert(all.files.end(), done->files.begin(), done->files.end());
+        all.warnings.insert(all.warnings.end(), done->warnings.begin(), done->warnings.end());
+    }
+    return all;
 }
 
 } // namespace
@@ -181,13 +207,16 @@ void addRender(CLI::App& app, int& exitCode)
             "--samples", options->samples, "Pictures averaged for smooth edges, 1 to 64; 4 when not given, 1 for heat maps and .exr")
         ->check(CLI::Range(1, 64))
         ->type_name("N");
-    command->add_option("--frames", options->frames, "A sequence of so many pictures that loops; #### in FILE is the number, from 1")
-        ->check(CLI::Range(1, 100000))
-        ->type_name("N");
+    CLI::Option* count
+        = command->add_option("--frames", options->frames, "A sequence of so many pictures that loops; #### in FILE is the number, from 1")
+              ->check(CLI::Range(1, 100000))
+              ->type_name("N");
     CLI::Option* table = command->add_flag("--turntable", options->turntable, "The camera goes around, as it does when nothing is said");
     command->add_flag("--light-turn", options->lightTurn, "The light goes around instead")->excludes(table);
+    command->add_flag("--all-scenes", options->allScenes, "Each built-in scene as a picture in the folder FILE")->excludes(count);
     command->callback([options, &exitCode] {
-        const auto done = render(*options);
+        const Progress progress = shownProgress(options->common);
+        const auto done = options->allScenes ? renderGallery(*options, progress) : render(*options, progress);
         if (!done) {
             exitCode = tell(done.error());
             return;
@@ -197,7 +226,7 @@ void addRender(CLI::App& app, int& exitCode)
             return;
         nlohmann::ordered_json told{{"file", done->files.front()}, {"width", options->width}, {"height", options->height},
             {"views", options->views}, {"warnings", warningsJson(done->warnings)}};
-        if (options->frames > 0)
+        if (options->frames > 0 || options->allScenes)
             told["files"] = done->files;
         print(told);
     });
