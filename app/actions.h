@@ -32,6 +32,7 @@ enum class Action {
     LightTheme,
     Panels,
     RayInspector,
+    Palette,
     Shortcuts,
     About,
 };
@@ -213,7 +214,12 @@ inline constexpr auto kActions = std::to_array<ActionRow>({
         .icon = "ray",
         .toggles = true,
         .help = "Shows how each technique searches along the ray of the point that is clicked, and why it is right or wrong."},
-
+    {.action = Action::Palette,
+        .key = "palette",
+        .menu = "Help",
+        .label = "Commands...",
+        .shortcut = "Ctrl+Shift+P",
+        .help = "Finds actions, techniques, views, presets and values by a few letters; \"depth 0.1\" sets one."},
     {.action = Action::Shortcuts,
         .key = "shortcuts",
         .menu = "Help",

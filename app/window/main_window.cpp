@@ -8,6 +8,7 @@
 #include "app/window/inspector/picking.h"
 #include "app/window/inspector/ray_inspector.h"
 #include "app/window/page.h"
+#include "app/window/palette/command_palette.h"
 #include "app/window/panels/animation_bar.h"
 #include "app/window/panels/drop_frame.h"
 #include "app/window/panels/drop_note.h"
@@ -92,7 +93,7 @@ void MainWindow::run(Action action, bool on)
     case Action::Wireframe:
         return setWireframe(on);
     case Action::TwoPanes:
-        return showFurtherPanes(on);
+        return m_document.edit(m_top->action(action)->text(), [&](State& state) { m_furtherPanes.show(state, on); });
     case Action::Frame:
         return moveActiveCamera(framed(cameraOf(m_document.state(), std::size_t(m_viewport->activePane()))));
     case Action::ResetCamera:
@@ -105,6 +106,8 @@ void MainWindow::run(Action action, bool on)
         return showPanels(on);
     case Action::RayInspector:
         return m_inspector->setVisible(on);
+    case Action::Palette:
+        return showPalette(*this);
     case Action::Shortcuts:
         return showShortcuts(this);
     case Action::About:
@@ -163,11 +166,6 @@ void MainWindow::setWireframe(bool on)
 {
     const ParameterRow& row = *findParameter("wireframe");
     m_document.edit(qt(row.label), [&](State& state) { assign(state, row, on, kAllPanes); });
-}
-
-void MainWindow::showFurtherPanes(bool on)
-{
-    m_document.edit(m_top->action(Action::TwoPanes)->text(), [&](State& state) { m_furtherPanes.show(state, on); });
 }
 
 void MainWindow::showPanels(bool on)

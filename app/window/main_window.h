@@ -53,7 +53,6 @@ private:
     void moveActiveCamera(const Camera& camera); // of the active pane, or the one that it shares
     void updateTitle();
     void setWireframe(bool on);
-    void showFurtherPanes(bool on);
     void showPanels(bool on);
     ExportDialog& exportDialog();
 

@@ -173,6 +173,19 @@ Expected<std::string> translated(const std::string& glsl, Stage stage, ShadingLa
     return text && mentionsIdentifier(glsl, "trace") ? withSearchMarked(*text) : text;
 }
 
+namespace {
+// A struct inside of a function has no static members: constants of structs stand where variables begin with them.
+std::string withoutStatics(std::string hlsl)
+{
+    static const std::regex constant(R"(\nstatic const \w+ (\w+) = (\{[^;\n]*\});)");
+    for (std::smatch found; std::regex_search(hlsl, found, constant);) {
+        const std::string name = found[1], value = found[2];
+        hlsl = std::regex_replace(found.prefix().str() + found.suffix().str(), std::regex("= " + name + ";"), "= " + value + ";");
+    }
+    return hlsl;
+}
+} // namespace
+
 Expected<std::string> searchAsStruct(const std::string& glsl)
 {
     const auto spirv = spirvOf(glsl, Stage::Fragment);
@@ -181,7 +194,7 @@ Expected<std::string> searchAsStruct(const std::string& glsl)
     const Expected<std::string> text = crossed(*spirv, Stage::Fragment, ShadingLanguage::Hlsl);
     if (!text)
         return text;
-    const std::vector<Piece> pieces = piecesOf(*text);
+    const std::vector<Piece> pieces = piecesOf(withoutStatics(*text));
     const std::set<std::string> needed = neededBySearch(pieces);
     std::string structs, members, functions, set;
     for (const Piece& piece : pieces) {

@@ -9,6 +9,7 @@
 #include "app/window/document/starting_scene.h"
 #include "app/window/inspector/ray_inspector.h"
 #include "app/window/main_window.h"
+#include "app/window/palette/command_palette.h"
 #include "app/window/panels/map_panel.h"
 #include "app/window/panels/message_line.h"
 #include "app/window/viewport/overlays.h"
@@ -19,6 +20,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -209,6 +211,11 @@ const Scene kScenes[] = {
     {"inspector", {1280, 800}, Look::Dark, [](MainWindow& window) { inspectRay(window, "relief", "cell-cone"); }},
     {"inspector-cones", {1280, 800}, Look::Light, [](MainWindow& window) { inspectRay(window, "cone", "sphere"); }},
     {"inspector-small", {800, 600}, Look::Dark, [](MainWindow& window) { inspectRay(window, "steep", "pyramid"); }},
+    {"palette", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            window.action("palette")->trigger();
+            window.findChild<CommandPalette*>()->findChild<QLineEdit*>()->setText("depth");
+        }},
     {"menu", {1280, 800}, Look::Dark,
         [](MainWindow& window) {
             QMenuBar* bar = window.findChild<QMenuBar*>("menu");

@@ -226,6 +226,21 @@ TEST_F(Engines, BoundsAreThoseOfTheHeightsBesideThem)
 }
 
 // The technique is complete between its marks, under the names of the GLSL, and nothing of the shading stands there.
+TEST_F(Engines, UnrealsNodeHasNoStaticMembers)
+{
+    make(0.f, 1.f);
+    for (const char* technique : {"relief", "as-bevy", "as-o3de", "cell-cone"}) {
+        m_state.panes.front().technique = technique;
+        const auto exported = run("unreal", std::string("unreal_") + technique);
+        ASSERT_TRUE(exported) << message(exported.error());
+        for (const fs::path& file : exported->files)
+            if (file.extension() == ".py") {
+                EXPECT_EQ(textOfFile(file).find("static "), std::string::npos) << technique;
+                EXPECT_NE(textOfFile(file).find("struct Relief"), std::string::npos) << technique;
+            }
+    }
+}
+
 TEST_F(Engines, HlslAndMetalKeepTheTechniqueTogether)
 {
     make(0.f, 1.f, true);

@@ -129,7 +129,6 @@ func make_ramp(material: Material, ramp: Texture2D, shot: Dictionary) -> Materia
 					name = u.name
 		if name == "":
 			say("error", "no albedo sampler found in the shader: say which one with --uv-param")
-		material.set_shader_parameter(name, ramp)
 		# Averages along the view would mix the turns of the ramps.
 		var code: String = material.shader.code.replace("filter_linear_mipmap_anisotropic", "filter_linear")
 		if not RegEx.create_from_string("\\bunshaded\\b").search(code):
@@ -137,8 +136,10 @@ func make_ramp(material: Material, ramp: Texture2D, shot: Dictionary) -> Materia
 				code = code.replace("render_mode ", "render_mode unshaded, ")
 			else:
 				code = code.replace("shader_type spatial;", "shader_type spatial; render_mode unshaded;")
-		material.shader = Shader.new()
-		material.shader.code = code
+		var shader := Shader.new()
+		shader.code = code
+		material.shader = shader
+		material.set_shader_parameter(name, ramp) # last: a shader without it forgets it
 	return material
 
 
