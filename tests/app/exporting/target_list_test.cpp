@@ -51,7 +51,7 @@ TEST_F(TargetListTest, EachTargetStandsInAGroupWithIconAndSentence)
     const QStringList all = seen();
     EXPECT_LT(all.indexOf("Engines and programs"), all.indexOf("Godot 4"));
     EXPECT_LT(all.indexOf("Godot 4"), all.indexOf("Formats"));
-    EXPECT_LT(all.indexOf("Formats"), all.indexOf("glTF binary"));
+    EXPECT_LT(all.indexOf("Formats"), all.indexOf("glTF"));
     EXPECT_LT(all.indexOf("Shader text"), all.indexOf("GLSL"));
     EXPECT_LT(all.indexOf("Relievo"), all.indexOf("Relievo preset"));
     for (const ExportRow& row : kExports)
