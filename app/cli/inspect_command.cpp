@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "app/cli/rays_csv.h"
 #include "core/analysis/ray_inspection.h"
 #include "core/ground/shown_text.h"
 #include <cmath>
@@ -35,8 +36,9 @@ Result<SearchRay> rayOf(const std::string& text, double depth)
                 {"this is no ray", "--ray " + shownText(text), "Write four finite numbers u,v,du,dv: 0.5,0.5,0.1,0"}, WrongUsage);
         at = end + 1;
     }
-    const double across = std::hypot(values[2], values[3]);
-    return SearchRay{{values[0], values[1]}, {values[2], values[3]}, across > 0 ? depth / std::hypot(depth, across) : 1.};
+    SearchRay ray{{values[0], values[1]}, {values[2], values[3]}};
+    ray.cosView = cosineOf(ray, depth);
+    return ray;
 }
 
 void show(const RayInspection& inspection)
@@ -51,7 +53,7 @@ void show(const RayInspection& inspection)
     }
 }
 
-Result<bool> inspect(const InspectOptions& options)
+Result<void> inspect(const InspectOptions& options)
 {
     const Progress progress = shownProgress(options.common);
     const auto input = openHeights(options.state, progress.part(0.f, 0.4f));
@@ -80,7 +82,7 @@ Result<bool> inspect(const InspectOptions& options)
         if (options.light)
             json["light"] = light ? Json::parse(inspectionJson(*light)) : Json();
         print(json);
-        return true;
+        return {};
     }
     show(*view);
     if (light) {
@@ -89,7 +91,7 @@ Result<bool> inspect(const InspectOptions& options)
     } else if (options.light) {
         std::printf("\nNo ray of light comes there through the relief.\n");
     }
-    return true;
+    return {};
 }
 } // namespace
 

@@ -46,13 +46,6 @@ std::optional<std::vector<double>> numbers(std::string_view line, std::size_t co
     return values;
 }
 
-double cosineOf(const SearchRay& ray, double depth)
-{
-    const double length = std::hypot(depth, std::hypot(ray.duv.x, ray.duv.y));
-    const double cosine = length > 0. && std::isfinite(length) ? depth / length : 1.;
-    return std::max(cosine, 1e-6);
-}
-
 void append(std::string& text, double value)
 {
     char buffer[32];
@@ -60,6 +53,13 @@ void append(std::string& text, double value)
 }
 
 } // namespace
+
+double cosineOf(const SearchRay& ray, double depth)
+{
+    const double length = std::hypot(depth, std::hypot(ray.duv.x, ray.duv.y));
+    const double cosine = length > 0. && std::isfinite(length) ? depth / length : 1.;
+    return std::max(cosine, 1e-6);
+}
 
 Expected<RaysRead> readRays(const std::filesystem::path& file, double depth)
 {

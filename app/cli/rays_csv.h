@@ -15,6 +15,8 @@ struct RaysRead {
     std::vector<SearchRay> rays;
     Warnings warnings; // "cosine-range": values of cosView outside (0, 1], which are brought into it
 };
+// |N.V| of a ray whose relief is so deep (share of the tile): depth / sqrt(depth^2 + |duv|^2), 1 where that is 0 / 0, at least 1e-6.
+double cosineOf(const SearchRay& ray, double depth);
 // Header u,v,du,dv[,cosView]. Without cosView: depth / sqrt(depth^2 + |duv|^2), 1 where that is 0 / 0.
 // Errors name file and line. "nan" and "inf" are numbers here: such a ray is answered, not refused.
 Expected<RaysRead> readRays(const std::filesystem::path& file, double depth);

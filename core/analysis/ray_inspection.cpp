@@ -87,16 +87,16 @@ std::string verdictOf(const RayInspection& ray, const TechniqueRow& row, const P
     if (std::abs(error) <= kRight)
         return "Right: within " + number(std::abs(error)) + " of the depth." + missed;
     if (error > 0)
-        return tooDeep(ray, field) + (missed.empty() || !ray.hit.found ? "" : missed);
+        return tooDeep(ray, field);
     const auto leaps
         = std::ranges::count_if(ray.steps, [](const SearchStep& s) { return s.kind == StepKind::Cone || s.kind == StepKind::Ball; });
-    const std::string error2 = number(-error) + " of the depth";
+    const std::string shortBy = number(-error) + " of the depth";
     if (leaps > parameters.leapSteps)
-        return "Its " + std::to_string(parameters.leapSteps) + " leaps ran out above the relief, " + error2 + " short.";
+        return "Its " + std::to_string(parameters.leapSteps) + " leaps ran out above the relief, " + shortBy + " short.";
     const SearchStep& last = ray.steps.back();
     if (last.kind == StepKind::Secant)
-        return "It takes the relief for straight within a step, and stops " + error2 + " short.";
-    return "It stops " + error2 + " above the relief.";
+        return "It takes the relief for straight within a step, and stops " + shortBy + " short.";
+    return "It stops " + shortBy + " above the relief.";
 }
 
 // bias: of the depth, the part before the point that is not asked.

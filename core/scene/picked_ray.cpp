@@ -69,7 +69,10 @@ std::optional<PickedRay> pickedRay(const State& state, std::size_t pane, const R
     const TechniqueRow* technique = findTechnique(state.panes[pane].technique);
     const CameraView view = cameraOnto(*resources.mesh, cameraOf(state, pane), aspect);
     const SceneUniforms scene = sceneUniforms(parameters, view, resources.mesh->metresPerUV);
-    const Mesh mesh = posed(*resources.mesh, poseOf(*resources.mesh, parameters));
+    std::optional<Mesh> moved;
+    if (resources.mesh->deformation)
+        moved = posed(*resources.mesh, poseOf(*resources.mesh, parameters));
+    const Mesh& mesh = moved ? *moved : *resources.mesh;
     const glm::vec4 beyond
         = glm::inverse(view.clipFromView * view.viewFromWorld) * glm::vec4(2.f * at.x - 1.f, 1.f - 2.f * at.y, 0.5f, 1.f);
     const dvec3 eye(view.eye), way = normalize(dvec3(beyond) / double(beyond.w) - eye);

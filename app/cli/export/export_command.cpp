@@ -95,8 +95,7 @@ Result<Written> exportScene(const ExportOptions& options, const std::vector<cons
                 WrongUsage);
     std::optional<TargetText> packing;
     if (!options.packing.empty()) {
-        const auto text = readText(options.packing);
-        auto read = text ? parseTarget(*text, options.packing, false) : tl::unexpected(text.error());
+        auto read = readPacking(options.packing);
         if (!read)
             return problem(read.error());
         packing = std::move(*read);

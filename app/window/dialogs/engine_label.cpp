@@ -23,10 +23,14 @@ EngineLabel::EngineLabel(const ExportForm& form, const Document& document, const
     setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_rest.setSingleShot(true);
     m_rest.setInterval(kMeasuredAfter);
-    connect(&form, &ExportForm::edited, &m_rest, qOverload<>(&QTimer::start));
-    connect(&document, &Document::changed, this, [this](Changes what) {
-        if (isVisible() && what != Changes(Change::Camera))
+    const auto changed = [this] {
+        if (isVisible())
             m_rest.start();
+    };
+    connect(&form, &ExportForm::edited, this, changed);
+    connect(&document, &Document::changed, this, [changed](Changes what) {
+        if (what != Changes(Change::Camera))
+            changed();
     });
     connect(&m_rest, &QTimer::timeout, this, &EngineLabel::measure);
 }

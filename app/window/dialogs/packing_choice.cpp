@@ -6,7 +6,6 @@
 #include "app/window/dialogs/packing_editor.h"
 #include "app/window/widgets/choice_list.h"
 #include "app/window/widgets/theme.h"
-#include "core/ground/file.h"
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -17,17 +16,6 @@ namespace relievo {
 namespace {
 constexpr int kKept = 6; // files that are offered again
 constexpr const char* kSetting = "export/packings";
-
-Expected<std::shared_ptr<const TargetText>> readPacking(const QString& file)
-{
-    const auto text = readText(file.toStdString());
-    if (!text)
-        return tl::unexpected(text.error());
-    auto read = parseTarget(*text, file.toStdString(), false);
-    if (!read)
-        return tl::unexpected(read.error());
-    return std::make_shared<const TargetText>(std::move(*read));
-}
 } // namespace
 
 PackingChoice::PackingChoice(QWidget* parent) : QWidget(parent), m_choices(new ChoiceList), m_edit(new QToolButton)
@@ -76,12 +64,12 @@ void PackingChoice::setFile(const QString& file)
     QStringList kept = QSettings().value(kSetting).toStringList();
     kept.removeAll(file);
     if (!file.isEmpty()) {
-        const auto read = readPacking(file);
+        auto read = readPacking(file.toStdString());
         if (!read) {
             offer();
             return Q_EMIT refused(read.error());
         }
-        packing = *read;
+        packing = std::make_shared<const TargetText>(std::move(*read));
         kept.prepend(file);
         QSettings().setValue(kSetting, QStringList(kept.mid(0, kKept)));
     }

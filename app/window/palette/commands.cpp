@@ -93,6 +93,7 @@ void addParameters(std::vector<Command>& commands, const QString& query, MainWin
         } else {
             const Value value = get(set.parameters, row);
             command.title = QObject::tr("Set %1 to %2").arg(qt(row.label), shownValue(row, value));
+            command.isMeant = true;
             command.run = [&window, &row, value] {
                 window.document().edit(qt(row.label), [&](State& changed) { assign(changed, row, value, kAllPanes); });
             };
@@ -112,9 +113,7 @@ std::vector<Command> commandsFor(const QString& query, MainWindow& window)
     addParameters(commands, query, window);
     const QStringList words = wordsOf(query);
     std::erase_if(commands, [&](const Command& command) { return !fits(words, command); });
-    std::ranges::stable_sort(commands, {}, [&](const Command& command) {
-        return std::pair(!command.title.startsWith(QObject::tr("Set %1").arg("")), distance(words, command));
-    });
+    std::ranges::stable_sort(commands, {}, [&](const Command& command) { return std::pair(!command.isMeant, distance(words, command)); });
     return commands;
 }
 

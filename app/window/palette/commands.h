@@ -16,6 +16,7 @@ struct Command {
     QString words; // other words that find it
     std::function<void()> run; // none: it cannot be done now, or the query has to say more
     QString completion = {}; // what the query becomes instead, "depth "
+    bool isMeant = false; // the query says what to do, not only what it is about
 };
 
 // Those that fit the query, best first: actions, techniques of the active pane, views, presets and scenes, samples, parameters. "depth 0.1"

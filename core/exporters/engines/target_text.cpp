@@ -208,6 +208,12 @@ Expected<TargetText> parseTarget(const std::string& text, const std::string& whe
     return target;
 }
 
+Expected<TargetText> readPacking(const std::filesystem::path& file)
+{
+    const auto text = readText(file);
+    return text ? parseTarget(*text, file.string(), false) : tl::unexpected(text.error());
+}
+
 std::string packingText(const std::vector<PackedTexture>& textures)
 {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();

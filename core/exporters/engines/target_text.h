@@ -71,6 +71,9 @@ struct TargetText {
 // line, or the member, and what would be right. `isOwn`: the JSON tells the row as well (key from the file's name).
 Expected<TargetText> parseTarget(const std::string& text, const std::string& where, bool isOwn);
 
+// A user's packing: a file of JSON alone. Errors: unreadable, and those of parseTarget.
+Expected<TargetText> readPacking(const std::filesystem::path& file);
+
 // The text of a row that code does not write; of the program's own one of resources/exports, named by the key.
 const TargetText& textOf(const ExportRow& row);
 

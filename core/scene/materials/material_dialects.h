@@ -54,7 +54,8 @@ struct MaterialDialect {
 using enum MapKind;
 using F = MeshFactors;
 
-inline constexpr auto kGodot4Pictures = std::to_array<PictureProperty>({
+// Godot 3's properties beside those of Godot 4: no material has both.
+inline constexpr auto kGodotPictures = std::to_array<PictureProperty>({
     {"albedo_texture", Color},
     {"albedo_texture", Opacity, Channel::A, "transparency"},
     {"normal_texture", Normal},
@@ -66,33 +67,16 @@ inline constexpr auto kGodot4Pictures = std::to_array<PictureProperty>({
     {"orm_texture", Metallic, Channel::B},
     {"emission_texture", Emission, Channel::Rgb, "emission_enabled"},
     {"heightmap_texture", Height, Channel::R, "", "", "heightmap_flip_texture"},
+    {"albedo_texture", Opacity, Channel::A, "params_use_alpha_scissor"},
+    {"depth_texture", Height, Channel::R, "", "", "", true},
 });
-inline constexpr auto kGodot4Numbers = std::to_array<NumberProperty>({
+inline constexpr auto kGodotNumbers = std::to_array<NumberProperty>({
     {"roughness", &F::roughness},
     {"metallic", &F::metallic},
     {"normal_scale", &F::normal},
     {"emission_energy_multiplier", &F::emission},
     {"heightmap_min_layers", "minSteps"},
     {"heightmap_max_layers", "maxSteps"},
-    {"uv1_scale.0", "tiling"},
-    {"uv1_offset.0", "offsetU"},
-    {"uv1_offset.1", "offsetV"},
-});
-
-inline constexpr auto kGodot3Pictures = std::to_array<PictureProperty>({
-    {"albedo_texture", Color},
-    {"albedo_texture", Opacity, Channel::A, "params_use_alpha_scissor"},
-    {"normal_texture", Normal},
-    {"roughness_texture", Roughness, Channel::R, "", "roughness_texture_channel"},
-    {"metallic_texture", Metallic, Channel::R, "", "metallic_texture_channel"},
-    {"ao_texture", AmbientOcclusion, Channel::R, "", "ao_texture_channel"},
-    {"emission_texture", Emission, Channel::Rgb, "emission_enabled"},
-    {"depth_texture", Height, Channel::R, "", "", "", true},
-});
-inline constexpr auto kGodot3Numbers = std::to_array<NumberProperty>({
-    {"roughness", &F::roughness},
-    {"metallic", &F::metallic},
-    {"normal_scale", &F::normal},
     {"emission_energy", &F::emission},
     {"depth_min_layers", "minSteps"},
     {"depth_max_layers", "maxSteps"},
@@ -101,7 +85,11 @@ inline constexpr auto kGodot3Numbers = std::to_array<NumberProperty>({
     {"uv1_offset.1", "offsetV"},
 });
 
+// The universal pipeline's properties beside those of the built-in one, which materials keep that were brought over: of pictures the first
+// that is there counts, of numbers the last.
 inline constexpr auto kUnityPictures = std::to_array<PictureProperty>({
+    {"_BaseMap", Color},
+    {"_BaseMap", Opacity, Channel::A, "_AlphaClip"},
     {"_MainTex", Color},
     {"_MainTex", Opacity, Channel::A, "_Mode"},
     {"_BumpMap", Normal},
@@ -113,28 +101,12 @@ inline constexpr auto kUnityPictures = std::to_array<PictureProperty>({
 });
 inline constexpr auto kUnityNumbers = std::to_array<NumberProperty>({
     {"_Glossiness", &F::roughness, -1, 1, Gloss},
-    {"_Metallic", &F::metallic, 1, 0, Metallic},
-    {"_BumpScale", &F::normal},
-    {"_OcclusionStrength", &F::occlusion},
-    {"_EmissionColor.r", &F::emission},
-    {"_MainTex.m_Scale.x", "tiling"},
-});
-inline constexpr auto kUrpPictures = std::to_array<PictureProperty>({
-    {"_BaseMap", Color},
-    {"_BaseMap", Opacity, Channel::A, "_AlphaClip"},
-    {"_BumpMap", Normal},
-    {"_MetallicGlossMap", Metallic, Channel::R},
-    {"_MetallicGlossMap", Gloss, Channel::A},
-    {"_OcclusionMap", AmbientOcclusion, Channel::G},
-    {"_EmissionMap", Emission},
-    {"_ParallaxMap", Height, Channel::G},
-});
-inline constexpr auto kUrpNumbers = std::to_array<NumberProperty>({
     {"_Smoothness", &F::roughness, -1, 1, Gloss},
     {"_Metallic", &F::metallic, 1, 0, Metallic},
     {"_BumpScale", &F::normal},
     {"_OcclusionStrength", &F::occlusion},
     {"_EmissionColor.r", &F::emission},
+    {"_MainTex.m_Scale.x", "tiling"},
     {"_BaseMap.m_Scale.x", "tiling"},
 });
 inline constexpr auto kHdrpPictures = std::to_array<PictureProperty>({
@@ -248,8 +220,8 @@ inline constexpr auto kMaterialXNumbers = std::to_array<NumberProperty>({
 inline constexpr auto kMaterialDialects = std::to_array<MaterialDialect>({
     {.label = "Godot 4",
         .types = "StandardMaterial3D ORMMaterial3D",
-        .pictures = kGodot4Pictures,
-        .numbers = kGodot4Numbers,
+        .pictures = kGodotPictures,
+        .numbers = kGodotNumbers,
         .depth = "heightmap_scale",
         .depthFactor = 100,
         .depthUntold = 5,
@@ -259,8 +231,8 @@ inline constexpr auto kMaterialDialects = std::to_array<MaterialDialect>({
         .metallicUntold = 0},
     {.label = "Godot 3",
         .types = "SpatialMaterial",
-        .pictures = kGodot3Pictures,
-        .numbers = kGodot3Numbers,
+        .pictures = kGodotPictures,
+        .numbers = kGodotNumbers,
         .depth = "depth_scale",
         .depthUntold = 0.05,
         .color = "albedo_color",
@@ -280,8 +252,8 @@ inline constexpr auto kMaterialDialects = std::to_array<MaterialDialect>({
         .offsetV = "_BaseColorMap.m_Offset.y"},
     {.label = "Unity (URP)",
         .types = "933532a4fcc9baf4fa0491de14d08ed7",
-        .pictures = kUrpPictures,
-        .numbers = kUrpNumbers,
+        .pictures = kUnityPictures,
+        .numbers = kUnityNumbers,
         .depth = "_Parallax",
         .midlevel = 0.5,
         .color = "_BaseColor",

@@ -197,7 +197,7 @@ private:
             if (!perUV)
                 m_read.warnings.push_back({"depth-in-metres",
                     std::string(m_dialect.label) + " tells the depth in metres: it is taken for a mesh with "
-                        + (unit == 1 ? "1" : std::to_string(unit)) + " m per UV unit."});
+                        + toText(*findParameter("metresPerUV"), float(unit)) + " m per UV unit."});
             depth *= double(state.parameters.tiling) / unit;
         }
         takeNumber(state, "depth", depth);
