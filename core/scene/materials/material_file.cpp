@@ -233,9 +233,9 @@ Expected<MaterialRead> readMaterialFile(const fs::path& file, const State& base)
     if (!read.warnings.empty())
         return failure(ErrorCode::NotFound, file.string(), "none of its textures was found near it",
             "Put them beside it, or open them by their folder");
-    if (std::optional<Error> foreign = foreignFile(file)) // knows what it is called, and a cure
-        return tl::unexpected(std::move(*foreign));
-    return failure(file.string(), "no texture is named in this material", "Open its textures by their folder");
+    const std::optional<Error> foreign = foreignFile(file); // knows a cure
+    return failure(file.string(), "this material" + (dialect ? " of " + std::string(dialect->label) : "") + " names no texture",
+        foreign ? foreign->hint : "Open its textures by their folder");
 }
 
 } // namespace relievo

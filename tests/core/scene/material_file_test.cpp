@@ -253,7 +253,8 @@ TEST(MaterialFile, WhatIsNoneIsRefusedByNameAndCure)
     };
     for (const Bad& bad : {Bad{"a.tres", "hello", "no text resource of Godot"}, Bad{"a.mat", "MATLAB 5.0", "no material of Unity"},
              Bad{"b.mat", "a: [b", "Force Text"}, Bad{"a.json", "{\"depth\": 1}", "no material of Babylon.js, PlayCanvas or O3DE"},
-             Bad{"b.json", "{", "no JSON"}, Bad{"a.mtlx", "<a", "no MaterialX document"}, Bad{"b.mtlx", "<materialx/>", "PNG, TIFF or EXR"},
+             Bad{"b.json", "{", "no JSON"}, Bad{"a.mtlx", "<a", "no MaterialX document"},
+             Bad{"b.mtlx", "<materialx/>", "this material of MaterialX names no texture. Export its maps as PNG, TIFF or EXR"},
              Bad{"a.material", "{\"propertyValues\": {\"parallax.textureMap\": \"gone.png\"}}", "none of its textures was found"}}) {
         writeAll(folder / bad.name, bad.text);
         const auto read = openSource((folder / bad.name).string(), State());
