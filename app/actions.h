@@ -2,52 +2,11 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "app/action.h"
 #include <array>
 #include <cstddef>
-#include <string_view>
 
 namespace relievo {
-
-// What a row is about, in the order of the table: MainWindow::run has a case for each, which the compiler checks.
-enum class Action {
-    New,
-    Open,
-    OpenFolder,
-    Save,
-    SaveAs,
-    Reload,
-    Export,
-    ExportAgain,
-    Quit,
-    Undo,
-    Redo,
-    CopyPicture,
-    CopyCamera,
-    PasteCamera,
-    Wireframe,
-    TwoPanes,
-    Frame,
-    ResetCamera,
-    Smoother,
-    LightTheme,
-    Panels,
-    RayInspector,
-    Palette,
-    Shortcuts,
-    About,
-};
-
-struct ActionRow {
-    Action action;
-    std::string_view key; // in tests and `describe actions`
-    std::string_view menu; // title of the menu that it stands in
-    std::string_view label; // as the menu shows it; "..." when more is asked
-    std::string_view shortcut = {}; // portable text of a key sequence, "" for none
-    std::string_view icon = {}; // file under resources/icons without suffix, "" for none
-    bool toggles = false; // keeps an on/off state
-    bool startsGroup = false; // a line is drawn above it
-    std::string_view help; // one sentence: the tooltip
-};
 
 // Menus that hold rows of other tables are filled in after the row that names them: recent files after "open-folder", samples
 // after them, techniques and views at the top of "View".
@@ -169,6 +128,48 @@ inline constexpr auto kActions = std::to_array<ActionRow>({
         .icon = "two-panes",
         .toggles = true,
         .help = "Two linked pictures side by side, each with its own technique."},
+    {.action = Action::Wipe,
+        .key = "wipe",
+        .menu = "View",
+        .label = "Wipe",
+        .shortcut = "W",
+        .toggles = true,
+        .startsGroup = true,
+        .help = "One picture left of a line, the other right of it, in one place. Drag the line; Shift turns it."},
+    {.action = Action::Blink,
+        .key = "blink",
+        .menu = "View",
+        .label = "Blink",
+        .shortcut = "B",
+        .toggles = true,
+        .help = "One picture, then the other, in one place. V shows the other one for as long as it is held."},
+    {.action = Action::Difference,
+        .key = "difference",
+        .menu = "View",
+        .label = "Difference",
+        .shortcut = "D",
+        .toggles = true,
+        .help = "How far two pictures are apart, amplified."},
+    {.action = Action::Flip,
+        .key = "flip",
+        .menu = "View",
+        .label = "FLIP",
+        .shortcut = "Shift+D",
+        .toggles = true,
+        .help = "How different two pictures look when one flips to the other, 0 to 1 (Andersson et al. 2020)."},
+    {.action = Action::SwapPanes,
+        .key = "swap-panes",
+        .menu = "View",
+        .label = "Swap the pictures",
+        .shortcut = "X",
+        .help = "The two pictures that are compared change their places."},
+    {.action = Action::Loupe,
+        .key = "loupe",
+        .menu = "View",
+        .label = "Loupe",
+        .shortcut = "M",
+        .toggles = true,
+        .help = "Enlarges the pixels under the pointer in all pictures at once, with their colour, depth, place, fetches and error."},
     {.action = Action::Frame,
         .key = "frame",
         .menu = "View",

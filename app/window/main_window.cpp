@@ -2,19 +2,20 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/main_window.h"
-#include "app/window/clipboard.h"
+#include "app/window/compare/compare_bar.h"
+#include "app/window/compare/loupe.h"
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/document/files.h"
 #include "app/window/inspector/picking.h"
 #include "app/window/inspector/ray_inspector.h"
 #include "app/window/page.h"
-#include "app/window/palette/command_palette.h"
 #include "app/window/panels/animation_bar.h"
 #include "app/window/panels/drop_frame.h"
 #include "app/window/panels/drop_note.h"
 #include "app/window/panels/map_panel.h"
 #include "app/window/panels/message_line.h"
 #include "app/window/panels/parameter_panel.h"
+#include "app/window/run_action.h"
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/dropping.h"
 #include "app/window/widgets/number_field.h"
@@ -28,13 +29,15 @@ MainWindow::MainWindow()
     : m_assets(m_document, m_messages)
     , m_files(new Files(m_document, m_assets, m_messages, this))
     , m_viewport(new Viewport(m_document, m_assets, m_messages))
+    , m_compare(new CompareBar(m_document, *m_viewport))
+    , m_loupe(new Loupe(m_document, m_assets, *m_viewport))
     , m_animation(new AnimationBar(m_document, m_assets))
     , m_inspector(new RayInspector(m_document, m_assets))
     , m_maps(new MapPanel(m_document, m_assets))
     , m_parameters(new ParameterPanel(m_document))
     , m_line(new MessageLine(m_messages, m_assets.background()))
     , m_top(new TopBar(*m_files, this))
-    , m_page(new Page({m_maps, m_viewport, {m_inspector, m_animation}, m_parameters, m_line}))
+    , m_page(new Page({m_maps, m_viewport, {m_compare, m_inspector, m_animation}, m_parameters, m_line}))
 {
     setAcceptDrops(true);
     setCentralWidget(m_page);
@@ -58,75 +61,20 @@ MainWindow::~MainWindow()
     delete m_page; // the panels look at the document, which goes first otherwise
 }
 
-// A case for each row of kActions: one that is missing does not compile.
-void MainWindow::run(Action action, bool on)
-{
-    switch (action) {
-    case Action::New:
-        return m_files->startNew();
-    case Action::Open:
-        return m_files->ask();
-    case Action::OpenFolder:
-        return m_files->askFolder();
-    case Action::Save:
-        return m_files->save();
-    case Action::SaveAs:
-        return m_files->saveAs();
-    case Action::Reload:
-        return m_assets.readAgain();
-    case Action::Export:
-        return exportDialog().present();
-    case Action::ExportAgain:
-        return exportDialog().runAgain();
-    case Action::Quit:
-        return void(close());
-    case Action::Undo:
-        return m_document.undoStack().undo();
-    case Action::Redo:
-        return m_document.undoStack().redo();
-    case Action::CopyPicture:
-        return copyPicture(*m_viewport, m_messages);
-    case Action::CopyCamera:
-        return copyCamera(m_document, std::size_t(m_viewport->activePane()));
-    case Action::PasteCamera:
-        return pasteCamera(m_document, std::size_t(m_viewport->activePane()), m_messages);
-    case Action::Wireframe:
-        return setWireframe(on);
-    case Action::TwoPanes:
-        return m_document.edit(m_top->action(action)->text(), [&](State& state) { m_furtherPanes.show(state, on); });
-    case Action::Frame:
-        return moveActiveCamera(framed(cameraOf(m_document.state(), std::size_t(m_viewport->activePane()))));
-    case Action::ResetCamera:
-        return moveActiveCamera(framed({}));
-    case Action::Smoother:
-        return viewport().wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
-    case Action::LightTheme:
-        return chooseLook(on ? Look::Light : Look::Dark);
-    case Action::Panels:
-        return showPanels(on);
-    case Action::RayInspector:
-        return m_inspector->setVisible(on);
-    case Action::Palette:
-        return showPalette(*this);
-    case Action::Shortcuts:
-        return showShortcuts(this);
-    case Action::About:
-        return showAbout(this);
-    }
-}
-
 void MainWindow::connectAll()
 {
-    connect(m_top, &TopBar::triggered, this, &MainWindow::run);
+    connect(m_top, &TopBar::triggered, this, [this](Action action, bool on) { runAction(*this, action, on); });
     connect(m_top, &TopBar::techniqueChosen, this, [this](const TechniqueRow& row) { setTechnique(row.key); });
     connect(m_top, &TopBar::viewChosen, this, [this](const ViewRow& row) { setView(row.key); });
+    connect(m_top, &TopBar::paneCountChosen, m_compare, qOverload<std::size_t>(&CompareBar::showPanes));
     connect(m_viewport, &Viewport::activePaneChanged, this, &MainWindow::documentChanged);
+    connect(m_viewport, &Viewport::ownValuesWanted, this, [this](std::size_t pane) { m_parameters->setScope(pane); });
+    connect(&m_viewport->places().inPlace(), &InPlace::arranged, this, &MainWindow::documentChanged);
     connect(m_parameters, &ParameterPanel::scopeChanged, this, [this](Scope scope) {
         if (scope)
             m_viewport->setActivePane(int(*scope));
     });
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
-    connect(&m_document, &Document::started, this, [this] { m_furtherPanes.forget(); });
     connect(&m_document, &Document::titleChanged, this, &MainWindow::updateTitle);
     m_top->follow(m_document.undoStack());
 }
@@ -135,14 +83,11 @@ void MainWindow::documentChanged()
 {
     const State& state = m_document.state();
     const Pane& active = state.panes[std::min(std::size_t(m_viewport->activePane()), state.panes.size() - 1)];
-    m_top->tick(active.technique, active.view);
+    m_top->tick(active.technique, active.view, state.panes.size());
     m_top->action(Action::TwoPanes)->setChecked(state.panes.size() > 1);
     m_top->action(Action::Wireframe)->setChecked(state.parameters.wireframe);
-}
-
-void MainWindow::moveActiveCamera(const Camera& camera)
-{
-    m_document.edit({}, [&](State& state) { setCameraOf(state, std::size_t(m_viewport->activePane()), camera); });
+    for (const Action action : {Action::Wipe, Action::Blink, Action::Difference, Action::Flip})
+        m_top->action(action)->setChecked(m_compare->compares(inPlaceModeOf(action)));
 }
 
 void MainWindow::updateTitle()
@@ -160,12 +105,6 @@ void MainWindow::setTechnique(std::string_view key)
 void MainWindow::setView(std::string_view key)
 {
     m_document.edit(tr("View %1").arg(qt(findView(key)->label)), [&](State& state) { relievo::setView(state, key); });
-}
-
-void MainWindow::setWireframe(bool on)
-{
-    const ParameterRow& row = *findParameter("wireframe");
-    m_document.edit(qt(row.label), [&](State& state) { assign(state, row, on, kAllPanes); });
 }
 
 void MainWindow::showPanels(bool on)

@@ -10,8 +10,10 @@
 namespace relievo {
 
 class AnimationBar;
+class CompareBar;
 class ExportDialog;
 class Files;
+class Loupe;
 class MapPanel;
 class MessageLine;
 class Page;
@@ -35,10 +37,14 @@ public:
     ParameterPanel& parameters() { return *m_parameters; }
     MessageLine& messageLine() { return *m_line; }
     RayInspector& inspector() { return *m_inspector; }
+    CompareBar& comparing() { return *m_compare; }
+    Loupe& loupe() { return *m_loupe; }
     QAction* action(std::string_view key) const { return m_top->action(findAction(key)->action); } // of kActions
 
     void setTechnique(std::string_view key); // of the active pane
     void setView(std::string_view key);
+    void showPanels(bool on);
+    ExportDialog& exportDialog(); // made when it is wanted first
 
 protected:
     void closeEvent(QCloseEvent*) override;
@@ -47,20 +53,17 @@ protected:
     void dropEvent(QDropEvent*) override;
 
 private:
-    void run(Action action, bool on);
     void connectAll();
     void documentChanged();
-    void moveActiveCamera(const Camera& camera); // of the active pane, or the one that it shares
     void updateTitle();
-    void setWireframe(bool on);
-    void showPanels(bool on);
-    ExportDialog& exportDialog();
 
     Document m_document;
     Messages m_messages;
     Assets m_assets;
     Files* m_files;
     Viewport* m_viewport;
+    CompareBar* m_compare;
+    Loupe* m_loupe;
     AnimationBar* m_animation;
     RayInspector* m_inspector;
     MapPanel* m_maps;
@@ -69,7 +72,6 @@ private:
     TopBar* m_top;
     Page* m_page;
     ExportDialog* m_export = nullptr;
-    FurtherPanes m_furtherPanes;
     bool m_closing = false; // the question has been answered
 };
 

@@ -4,6 +4,7 @@
 #include "app/window/top_bar.h"
 #include "app/window/document/files.h"
 #include "app/window/panels/choice_menus.h"
+#include "app/window/panels/pane_menu.h"
 #include "app/window/widgets/hairline.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
@@ -79,6 +80,8 @@ void TopBar::addTableMenus()
         [this](QMenu& menu) { fillTechniques(menu, m_technique, [this](const TechniqueRow& row) { Q_EMIT techniqueChosen(row); }); });
     lazyMenu(
         view, first, tr("Show"), [this](QMenu& menu) { fillViews(menu, m_view, [this](const ViewRow& row) { Q_EMIT viewChosen(row); }); });
+    lazyMenu(view, first, tr("Pictures"),
+        [this](QMenu& menu) { fillPaneCounts(menu, m_panes, [this](std::size_t count) { Q_EMIT paneCountChosen(count); }); });
 }
 
 // The menus above are filled when they open; their keys work always.
@@ -90,12 +93,15 @@ void TopBar::addKeys(QWidget* window)
             [this, row = techniques[i]] { Q_EMIT techniqueChosen(*row); });
     for (std::size_t i = 0; i < kViews.size(); ++i)
         connect(new QShortcut(viewKeys(i), window), &QShortcut::activated, this, [this, i] { Q_EMIT viewChosen(kViews[i]); });
+    for (const std::size_t count : kPaneCounts)
+        connect(new QShortcut(paneCountKeys(count), window), &QShortcut::activated, this, [this, count] { Q_EMIT paneCountChosen(count); });
     connect(new QShortcut(QKeySequence(Qt::Key_F10), window), &QShortcut::activated, m_menus,
         [this] { m_menus->setActiveAction(m_menus->actions().front()); });
 }
 
-void TopBar::tick(const std::string& technique, const std::string& view)
+void TopBar::tick(const std::string& technique, const std::string& view, std::size_t panes)
 {
+    m_panes = panes;
     m_technique = technique;
     m_view = view;
 }

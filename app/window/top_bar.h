@@ -20,13 +20,15 @@ public:
     // window: its keys work everywhere in it.
     TopBar(Files& files, QWidget* window);
     QAction* action(Action which) const { return m_actions[which]; }
-    void tick(const std::string& technique, const std::string& view); // their keys, in the menus
+    // Of the keys, and how many panes, in the menus.
+    void tick(const std::string& technique, const std::string& view, std::size_t panes);
     void follow(const QUndoStack& undo); // the actions for undo and redo name the step and are on when there is one
 
 Q_SIGNALS:
     void triggered(relievo::Action action, bool on);
     void techniqueChosen(const relievo::TechniqueRow& row);
     void viewChosen(const relievo::ViewRow& row);
+    void paneCountChosen(std::size_t count);
 
 private:
     QHBoxLayout* fileButtons();
@@ -36,6 +38,7 @@ private:
     QMenuBar* m_menus;
     Actions m_actions;
     std::string m_technique, m_view; // keys of those that are ticked
+    std::size_t m_panes = 1;
 };
 
 } // namespace relievo

@@ -331,6 +331,13 @@ Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)
     return program(meshVertex(features, read), Assembly(read).file("output/wireframe.glsl").finish());
 }
 
+Expected<ProgramText> composeProgram(const ShaderReader& read)
+{
+    Assembly fragment(read);
+    fragment.generated("uniform sampler2D firstPicture;\nuniform sampler2D secondPicture;\nuniform vec4 composition[4];");
+    return program(Assembly(read).file("vertex/full_screen_vertex.glsl").finish(), fragment.file("output/compose.glsl").finish());
+}
+
 namespace {
 // A technique and what it reads the maps by, for rays that are given.
 Expected<ProgramText> programForRays(std::string_view technique, const ShaderReader& read, Dialect dialect, bool onPrisms)

@@ -93,6 +93,7 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
 Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
+Expected<ProgramText> composeProgram(const ShaderReader& read); // two pictures in one place (render/compose.h)
 // Runs the technique's search on rays in textures (`trace --device gl`).
 Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
 // The same on prisms of a mesh (shaders/view_ray/trace_prisms.glsl); the technique has to search.

@@ -6,7 +6,7 @@
 
 namespace relievo {
 
-// An off-screen colour and depth target.
+// An off-screen colour and depth target, whose colour can be read as a texture.
 class Framebuffer {
 public:
     Framebuffer() = default;
@@ -16,6 +16,7 @@ public:
     // Keeps what fits; floats: RGBA32F instead of RGBA8. What the driver cannot hold is an error, which drawing into it tells too.
     Expected<void> resize(int width, int height, bool floats = false);
     unsigned handle() const { return m_framebuffer; }
+    unsigned texture() const { return m_color; }
     int width() const { return m_width; }
     int height() const { return m_height; }
 

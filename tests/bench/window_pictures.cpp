@@ -1,6 +1,7 @@
 // Pictures of the editor window in its states, to be looked at: window_pictures FOLDER [NAME ...].
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/compare/compare_bar.h"
 #include "app/window/dialogs/engine_pictures.h"
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/dialogs/packing_editor.h"
@@ -92,6 +93,34 @@ void sixPanes(MainWindow& window)
     window.assets().openState(state, {});
 }
 
+void panes(MainWindow& window, const std::vector<Pane>& shown)
+{
+    State state = window.document().state();
+    state.mesh = "plane";
+    state.camera = Camera{};
+    state.parameters.silhouettes = Silhouettes::Off;
+    state.parameters.depth = 0.2f;
+    state.panes = shown;
+    window.assets().openState(state, {});
+    workUntil([&] { return window.assets().ready() && window.viewport().isSettled(); });
+}
+
+void compare(MainWindow& window, InPlaceMode mode)
+{
+    panes(window, {Pane{"parallax"}, Pane{"cell-cone"}});
+    window.comparing().compare(mode, true);
+    workUntil([&] { return window.viewport().isSettled() && !window.viewport().places().flip().busy(); });
+}
+
+void pointAt(MainWindow& window, QPointF share)
+{
+    Viewport& picture = window.viewport();
+    const QPointF at(share.x() * picture.width(), share.y() * picture.height());
+    QMouseEvent move(QEvent::MouseMove, at, picture.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&picture, &move);
+    workUntil([] { return true; });
+}
+
 // A plain outline beside that of prisms, seen from near.
 void outlines(MainWindow& window)
 {
@@ -138,6 +167,44 @@ ExportDialog& showExport(MainWindow& window, const char* target, bool written)
 }
 
 const Scene kScenes[] = {
+    {"four-panes", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            panes(window, {Pane{"parallax"}, Pane{"relief"}, Pane{"relief", {{"depth", 0.1f}}, "fetches"}, Pane{"cell-cone", {}, "error"}});
+        }},
+    {"pane-menu", {1280, 800}, Look::Light,
+        [](MainWindow& window) {
+            panes(window, {Pane{"parallax"}, Pane{"relief", {{"depth", 0.1f}, {"maxSteps", 12}}}});
+            window.viewport().findChildren<CaptionChoice*>("more")[1]->click();
+        }},
+    {"wipe", {1280, 800}, Look::Dark, [](MainWindow& window) { compare(window, InPlaceMode::Wipe); }},
+    {"wipe-turned", {1280, 800}, Look::Light,
+        [](MainWindow& window) {
+            compare(window, InPlaceMode::Wipe);
+            Viewport& picture = window.viewport();
+            const auto send = [&](QEvent::Type type, QPointF at, Qt::MouseButtons held) {
+                QMouseEvent event(type, at, picture.mapToGlobal(at), Qt::LeftButton, held, Qt::ShiftModifier);
+                QApplication::sendEvent(&picture, &event);
+            };
+            const QPointF middle(picture.width() / 2., picture.height() / 2.);
+            send(QEvent::MouseButtonPress, middle + QPointF(0, 40), Qt::LeftButton);
+            send(QEvent::MouseMove, middle + QPointF(80, 120), Qt::LeftButton);
+            send(QEvent::MouseButtonRelease, middle + QPointF(80, 120), Qt::NoButton);
+            workUntil([] { return true; });
+        }},
+    {"difference", {1280, 800}, Look::Light, [](MainWindow& window) { compare(window, InPlaceMode::Difference); }},
+    {"flip", {1280, 800}, Look::Dark, [](MainWindow& window) { compare(window, InPlaceMode::Flip); }},
+    {"compare-small", {640, 480}, Look::Dark, [](MainWindow& window) { compare(window, InPlaceMode::Difference); }},
+    {"loupe", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            panes(window, {Pane{"parallax"}, Pane{"cell-cone"}});
+            window.action("loupe")->trigger();
+            pointAt(window, {0.3, 0.5});
+        }},
+    {"zoom", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            panes(window, {Pane{"parallax"}, Pane{"cell-cone"}});
+            window.viewport().places().zoom().set(8, glm::vec2(0.5f), window.viewport().places().areas()[0]);
+        }},
     {"first", {1280, 800}, Look::Dark, [](MainWindow&) {}},
     {"first-light", {1280, 800}, Look::Light, [](MainWindow&) {}},
     {"wide", {1600, 1000}, Look::Dark, [](MainWindow&) {}},

@@ -83,25 +83,89 @@ bool isShown(const State& state, const ParameterRow& row)
     return false;
 }
 
+namespace {
+// What is compared most, in that order.
+constexpr std::string_view kCompared[] = {"parallax", "relief", "cell-cone", "pom", "bump", "steep"};
+
+constexpr std::string_view kLightKeys[] = {"lightYaw", "lightPitch"};
+
+bool isShownBy(const State& state, std::string_view technique)
+{
+    return std::ranges::find(state.panes, technique, &Pane::technique) != state.panes.end();
+}
+} // namespace
+
 void setPaneCount(State& state, std::size_t count)
 {
     state.panes.resize(std::clamp(count, std::size_t(1), std::min(kMaxPanes, state.panes.size())));
     while (state.panes.size() < std::min(count, kMaxPanes)) {
         Pane next = state.panes.back();
-        next.technique = next.technique == "parallax" ? "relief" : "parallax"; // the pair that is compared most
+        const auto* fresh = std::ranges::find_if(kCompared, [&](std::string_view key) { return !isShownBy(state, key); });
+        next.technique = fresh == std::end(kCompared) ? next.technique : *fresh;
         state.panes.push_back(next);
     }
 }
 
-void FurtherPanes::show(State& state, bool on)
+void swapPanes(State& state, std::size_t one, std::size_t other)
+{
+    std::swap(state.panes[one], state.panes[other]);
+}
+
+void duplicatePane(State& state, std::size_t pane)
+{
+    if (state.panes.size() < kMaxPanes)
+        state.panes.insert(state.panes.begin() + std::ptrdiff_t(pane) + 1, Pane(state.panes[pane]));
+}
+
+void closePane(State& state, std::size_t pane)
 {
     if (state.panes.size() > 1)
-        m_last.assign(state.panes.begin() + 1, state.panes.end());
-    setPaneCount(state, on ? std::max(state.panes.size(), std::size_t(2)) : 1);
-    if (on && !m_last.empty()) {
-        state.panes.resize(1);
-        state.panes.insert(state.panes.end(), m_last.begin(), m_last.end());
-    }
+        state.panes.erase(state.panes.begin() + std::ptrdiff_t(pane));
+}
+
+void setLinked(State& state, std::size_t pane, bool linked)
+{
+    if (linked == isLinked(state, pane))
+        return;
+    Pane& own = state.panes[pane];
+    const Parameters lit = effectiveParameters(state, pane);
+    own.camera = linked ? std::nullopt : std::optional(state.camera);
+    for (const std::string_view key : kLightKeys)
+        if (linked)
+            own.overrides.erase(std::string(key));
+        else
+            own.overrides.insert_or_assign(std::string(key), get(lit, *findParameter(key)));
+}
+
+std::vector<const ParameterRow*> ownValues(const State& state, std::size_t pane)
+{
+    std::vector<const ParameterRow*> rows;
+    for (const ParameterRow& row : kParameters)
+        if (isOverridden(state, row, pane) && (isLinked(state, pane) || std::ranges::find(kLightKeys, row.key) == std::end(kLightKeys)))
+            rows.push_back(&row);
+    return rows;
+}
+
+void shareOwnValues(State& state, std::size_t pane)
+{
+    for (const ParameterRow* row : ownValues(state, pane))
+        assign(state, *row, shownValue(state, *row, pane), kAllPanes);
+}
+
+void dropOwnValues(State& state, std::size_t pane)
+{
+    for (const ParameterRow* row : ownValues(state, pane))
+        clearOverride(state, *row, pane);
+}
+
+void FurtherPanes::show(State& state, std::size_t count)
+{
+    const std::size_t further = state.panes.size() - 1;
+    m_last.resize(std::max(m_last.size(), further));
+    std::copy(state.panes.begin() + 1, state.panes.end(), m_last.begin());
+    for (std::size_t i = further; i < m_last.size() && state.panes.size() < count; ++i)
+        state.panes.push_back(m_last[i]);
+    setPaneCount(state, count);
 }
 
 } // namespace relievo

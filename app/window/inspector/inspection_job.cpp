@@ -46,7 +46,7 @@ Inspected inspect(const State& state, const Resources& resources, const PickedPo
         }
         const TechniqueRow& technique = *findTechnique(state.panes[i].technique);
         const Parameters parameters = effectiveParameters(state, i);
-        PaneInspection pane{state.panes.size() > 1 ? paneLetter(i) + "  " + qt(technique.label) : qt(technique.label), {}, {}};
+        PaneInspection pane{i, state.panes.size() > 1 ? paneLetter(i) + "  " + qt(technique.label) : qt(technique.label), {}, {}};
         const float from = float(i) / float(state.panes.size()), to = float(i + 1) / float(state.panes.size());
         if (const auto maps = mapsOf(technique, parameters, resources, progress.part(from, to))) {
             if (auto view = inspectRay(technique.key, parameters, *maps, picked->ray)) {

@@ -19,6 +19,7 @@ struct PickedPoint {
 };
 
 struct PaneInspection {
+    std::size_t pane = 0;
     QString name; // "A  Relief mapping"
     std::optional<RayInspection> view, light; // of the eye, and of the light to the point that was found
 };

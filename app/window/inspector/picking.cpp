@@ -7,22 +7,13 @@
 #include "app/window/widgets/theme.h"
 #include <QEvent>
 #include <QPainter>
-#include <cmath>
 
 namespace relievo {
 namespace {
 constexpr int kSide = 21; // px
-
-// In pixels of the screen.
-PaneArea areaOf(const QWidget& viewport, std::size_t pane, std::size_t panes)
-{
-    const double ratio = viewport.devicePixelRatioF();
-    const auto areas = paneAreas(int(panes), int(std::lround(viewport.width() * ratio)), int(std::lround(viewport.height() * ratio)));
-    return areas[std::min(pane, areas.size() - 1)];
-}
 } // namespace
 
-PickMarker::PickMarker(QWidget* viewport) : QWidget(viewport)
+PickMarker::PickMarker(Viewport* viewport) : QWidget(viewport), m_viewport(*viewport)
 {
     setObjectName("pick-marker");
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -31,22 +22,19 @@ PickMarker::PickMarker(QWidget* viewport) : QWidget(viewport)
     viewport->installEventFilter(this);
 }
 
-void PickMarker::show(const std::optional<PickedPoint>& point, std::size_t panes)
+void PickMarker::show(const std::optional<PickedPoint>& point)
 {
     m_point = point;
-    m_panes = panes;
-    setVisible(point && point->pane < panes);
     place();
 }
 
 void PickMarker::place()
 {
-    if (!m_point || m_point->pane >= m_panes)
+    const auto areas = m_viewport.places().areas();
+    setVisible(m_point && m_point->pane < areas.size() && !areas[m_point->pane].isEmpty());
+    if (isHidden())
         return;
-    const PaneArea area = areaOf(*parentWidget(), m_point->pane, m_panes);
-    const QPointF place
-        = QPointF(area.x + double(m_point->at.x) * area.width, area.y + double(m_point->at.y) * area.height) / devicePixelRatioF();
-    move(place.toPoint() - QPoint(kSide / 2, kSide / 2));
+    move(m_viewport.places().fromPicture(m_point->pane, m_point->at).toPoint() - QPoint(kSide / 2, kSide / 2));
 }
 
 bool PickMarker::eventFilter(QObject* watched, QEvent* event)
@@ -73,17 +61,15 @@ void connectPicking(RayInspector& inspector, Viewport& viewport, Document& docum
 {
     inspector.hide();
     auto* marker = new PickMarker(&viewport);
-    const auto mark = [&inspector, &document, marker] {
-        marker->show(inspector.isVisible() ? inspector.picked() : std::nullopt, document.state().panes.size());
-    };
+    const auto mark = [&inspector, &document, marker] { marker->show(inspector.isVisible() ? inspector.picked() : std::nullopt); };
     QObject::connect(&inspector, &RayInspector::pointChanged, marker, mark);
     QObject::connect(&document, &Document::changed, marker, mark);
-    QObject::connect(&viewport, &Viewport::clicked, &inspector, [&](std::size_t pane, QPointF position) {
+    QObject::connect(&viewport.places(), &PanePlaces::arranged, marker, mark);
+    QObject::connect(&viewport.places(), &PanePlaces::composed, marker, mark);
+    QObject::connect(&viewport, &Viewport::clicked, &inspector, [&inspector, &viewport](std::size_t pane, QPointF position) {
         if (!inspector.isVisible())
             return;
-        const PaneArea area = areaOf(viewport, pane, document.state().panes.size());
-        const QPointF at = position * viewport.devicePixelRatioF() - QPointF(area.x, area.y);
-        inspector.pick({pane, {float(at.x()) / float(area.width), float(at.y()) / float(area.height)}, area.aspect()});
+        inspector.pick({pane, viewport.places().toPicture(pane, position), viewport.places().areas()[pane].aspect()});
     });
 }
 

@@ -16,8 +16,8 @@ class Viewport;
 class PickMarker : public QWidget {
     Q_OBJECT
 public:
-    explicit PickMarker(QWidget* viewport);
-    void show(const std::optional<PickedPoint>& point, std::size_t panes); // nothing: hidden
+    explicit PickMarker(Viewport* viewport);
+    void show(const std::optional<PickedPoint>& point); // nothing: hidden
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override; // the viewport changes its size
@@ -25,8 +25,8 @@ protected:
 
 private:
     void place();
+    const Viewport& m_viewport;
     std::optional<PickedPoint> m_point;
-    std::size_t m_panes = 1;
 };
 
 // While the inspector is seen, a click in the viewport is what it looks at. It is hidden from now on.

@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/gl_calls.h"
+#include <algorithm>
 #include <epoxy/gl.h>
 #include <string>
+#include <vector>
 
 namespace relievo {
 
@@ -34,6 +36,25 @@ void copyTo(const Framebuffer& from, unsigned framebuffer, const PaneArea& to)
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glBlitFramebuffer(0, 0, from.width(), from.height(), to.x, to.y, to.x + to.width, to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
+Image readPixels(unsigned framebuffer, int width, int height, const PaneArea& of)
+{
+    Image read{.width = of.width, .height = of.height, .channels = 4, .data = {}};
+    read.data.assign(read.texelCount() * 4, std::byte(0));
+    const int left = std::max(of.x, 0), right = std::min(of.x + of.width, width);
+    const int top = std::max(of.y, 0), bottom = std::min(of.y + of.height, height);
+    if (left >= right || top >= bottom)
+        return read;
+    std::vector<std::byte> part(std::size_t(right - left) * std::size_t(bottom - top) * 4);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(left, height - bottom, right - left, bottom - top, GL_RGBA, GL_UNSIGNED_BYTE, part.data());
+    const std::size_t row = std::size_t(right - left) * 4;
+    for (int y = top; y < bottom; ++y) // from below
+        std::copy_n(part.begin() + std::ptrdiff_t(row * std::size_t(bottom - 1 - y)), row,
+            read.data.begin() + (std::ptrdiff_t(y - of.y) * of.width + (left - of.x)) * 4);
+    return read;
 }
 
 } // namespace relievo

@@ -56,7 +56,7 @@ MeshReference::Questions MeshReference::questions(const std::vector<PaneArea>& a
 {
     Questions questions(m_document.state().panes.size());
     for (std::size_t pane = 0; pane < questions.size() && pane < areas.size(); ++pane)
-        if (isShown(pane))
+        if (isShown(pane) && !areas[pane].isEmpty())
             questions[pane] = exactQuestion(m_document.state(), pane, m_assets.resources(), areas[pane].width, areas[pane].height);
     return questions;
 }

@@ -7,6 +7,8 @@
 #include "app/window/widgets/theme.h"
 #include "core/state/techniques.h"
 #include "core/trace/shader_on_cpu.h"
+#include <QApplication>
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <tuple>
@@ -60,6 +62,20 @@ QSize CaptionChoice::sizeHint() const
     return {fontMetrics().horizontalAdvance(text()) + 1 + kArrow + 2 * kPadding, kRowHeight}; // 1: advances are rounded
 }
 
+void CaptionChoice::mousePressEvent(QMouseEvent* event)
+{
+    m_pressedAt = event->position().toPoint();
+    QAbstractButton::mousePressEvent(event);
+}
+
+void CaptionChoice::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!isDown() || (event->position().toPoint() - m_pressedAt).manhattanLength() < QApplication::startDragDistance())
+        return QAbstractButton::mouseMoveEvent(event);
+    setDown(false);
+    Q_EMIT pulled();
+}
+
 void CaptionChoice::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -79,7 +95,8 @@ void CaptionChoice::paintEvent(QPaintEvent*)
 
 PaneCaption::PaneCaption(QWidget* parent)
     : QWidget(parent)
-    , m_technique(new CaptionChoice("technique", tr("Choose the technique of this picture"), this))
+    , m_more(new CaptionChoice("more", tr("What can be done with this picture; drag it onto another to swap them"), this))
+    , m_technique(new CaptionChoice("technique", tr("Choose the technique of this picture; drag it onto another to draw that by it"), this))
     , m_view(new CaptionChoice("view", tr("Choose what this picture shows"), this))
 {
     setCursor(Qt::ArrowCursor);
@@ -93,9 +110,12 @@ void PaneCaption::show(const QString& letter, const QString& technique, const QS
         m_technique->setText(technique);
     if (m_view->text() != view)
         m_view->setText(view);
-    if (std::tie(letter, cost, active) == std::tie(m_letter, m_cost, m_active))
+    if (m_more->text() != letter)
+        m_more->setText(letter);
+    m_more->setVisible(!letter.isEmpty());
+    if (std::tie(cost, active) == std::tie(m_cost, m_active))
         return;
-    m_letter = letter, m_cost = cost, m_active = active;
+    m_cost = cost, m_active = active;
     update();
 }
 
@@ -106,7 +126,8 @@ int PaneCaption::wide(const QString& text) const
 
 void PaneCaption::fit(int room)
 {
-    const int start = m_letter.isEmpty() ? 0 : kPadding + wide(m_letter) - kPadding / 2;
+    const int start = m_more->isHidden() ? 0 : m_more->sizeHint().width() - kPadding / 2;
+    m_more->setGeometry(0, 0, m_more->sizeHint().width(), kRowHeight);
     int technique = m_technique->sizeHint().width(), view = m_view->sizeHint().width();
     const int most = std::max(room - start, 0);
     if (technique + view > most) {
@@ -115,23 +136,22 @@ void PaneCaption::fit(int room)
     }
     m_technique->setGeometry(start, 0, technique, kRowHeight);
     m_view->setGeometry(start + technique, 0, view, kRowHeight);
-    const int end = start + technique + view, whole = end + kPadding + wide(m_cost);
-    m_costAt = !m_cost.isEmpty() && whole <= room ? end + kPadding : 0;
-    resize(m_costAt ? whole : end, kRowHeight);
+    const int end = start + technique + view, beside = end + kPadding + wide(m_cost), under = 2 * kPadding + wide(m_cost);
+    const bool isUnder = !m_cost.isEmpty() && beside > room && under <= room;
+    const bool isShown = !m_cost.isEmpty() && (beside <= room || isUnder);
+    m_costFrom = !isShown ? QPoint() : isUnder ? QPoint(kPadding, kRowHeight - 3) : QPoint(end + kPadding, 0);
+    resize(isUnder ? std::max(end, under) : isShown ? beside : end, isUnder ? 2 * kRowHeight - 6 : kRowHeight);
 }
 
 void PaneCaption::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     shade(painter, rect());
-    const auto put = [&](int x, const QString& text, const QColor& color) {
-        painter.setPen(color);
-        painter.drawText(QRect(x, 0, width(), height()), Qt::AlignVCenter | Qt::AlignLeft, text);
-    };
-    put(kPadding, m_letter, m_active ? accent(palette()).lighter(120) : kQuiet);
-    if (m_costAt)
-        put(m_costAt, m_cost, kQuiet);
-    if (m_active && !m_letter.isEmpty()) {
+    if (!m_costFrom.isNull()) {
+        painter.setPen(kQuiet);
+        painter.drawText(QRect(m_costFrom, QSize(width(), kRowHeight)), Qt::AlignVCenter | Qt::AlignLeft, m_cost);
+    }
+    if (m_active && !m_more->isHidden()) {
         painter.setPen(QPen(accent(palette()), 1));
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);

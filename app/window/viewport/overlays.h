@@ -14,37 +14,47 @@ QString techniqueText(const State& state, std::size_t pane);
 
 QString paneLetter(std::size_t pane); // "A" for the first
 
-// A word with an arrow in a caption; pressed, it offers others.
+// A word with an arrow in a caption; pressed, it offers others; pulled, it can be dropped on another pane.
 class CaptionChoice : public QAbstractButton {
     Q_OBJECT
 public:
     CaptionChoice(const char* name, const QString& tip, QWidget* parent);
     QSize sizeHint() const override;
 
+Q_SIGNALS:
+    void pulled();
+
 protected:
     void paintEvent(QPaintEvent*) override;
     void enterEvent(QEnterEvent*) override { update(); }
     void leaveEvent(QEvent*) override { update(); }
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+
+private:
+    QPoint m_pressedAt;
 };
 
-// A chip in a pane's corner: letter (of several panes), technique and view, each of which offers the others, and measured cost.
+// A chip in a pane's corner: letter (of several panes), technique and view, each of which offers the others, measured cost, and of several
+// panes what can be done with it.
 class PaneCaption : public QWidget {
     Q_OBJECT
 public:
     explicit PaneCaption(QWidget* parent);
     void show(const QString& letter, const QString& technique, const QString& view, const QString& cost, bool active);
-    void fit(int room); // px; where it is too narrow for all, the cost goes first, then technique and view are cut
+    void fit(int room); // px; where it is too narrow for all, the cost goes under the rest, then goes, then technique and view are cut
     CaptionChoice* technique() const { return m_technique; }
     CaptionChoice* view() const { return m_view; }
+    CaptionChoice* more() const { return m_more; } // the letter
 
 protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
     int wide(const QString& text) const; // px
-    CaptionChoice *m_technique, *m_view;
-    QString m_letter, m_cost;
-    int m_costAt = 0; // px; 0: there is no room for it
+    CaptionChoice *m_more, *m_technique, *m_view;
+    QString m_cost;
+    QPoint m_costFrom; // beside or under them; null: there is no room for it
     bool m_active = false;
 };
 

@@ -12,6 +12,7 @@ namespace relievo {
 // Pixels of the screen, y down from the top.
 struct PaneArea {
     int x = 0, y = 0, width = 0, height = 0;
+    bool isEmpty() const { return width == 0; } // its pane is not shown
     float aspect() const { return float(width) / float(height > 0 ? height : 1); }
 };
 

@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/pane_overlays.h"
 #include "app/window/panels/choice_menus.h"
+#include "app/window/panels/pane_menu.h"
 #include "app/window/viewport/mesh_reference.h"
+#include "app/window/viewport/pane_drops.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include "core/state/views.h"
@@ -45,10 +47,10 @@ QString costText(const Measurement& measured)
 }
 } // namespace
 
-PaneOverlays::PaneOverlays(QWidget* viewport, Document& document, std::function<void(std::size_t)> captionPressed)
+PaneOverlays::PaneOverlays(QWidget* viewport, Document& document, Wishes wishes)
     : m_viewport(viewport)
     , m_document(document)
-    , m_captionPressed(std::move(captionPressed))
+    , m_wishes(std::move(wishes))
     , m_hint(new Hint(viewport))
 {
 }
@@ -59,8 +61,13 @@ void PaneOverlays::makeFor(std::size_t panes)
         const std::size_t pane = m_captions.size();
         m_captions.push_back(new PaneCaption(m_viewport));
         m_legends.push_back(new HeatLegend(m_viewport));
-        QObject::connect(m_captions.back()->technique(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseTechnique(pane); });
-        QObject::connect(m_captions.back()->view(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseView(pane); });
+        const PaneCaption& caption = *m_captions.back();
+        QObject::connect(caption.technique(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseTechnique(pane); });
+        QObject::connect(caption.view(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseView(pane); });
+        QObject::connect(caption.more(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseMore(pane); });
+        QObject::connect(caption.technique(), &CaptionChoice::pulled, m_viewport,
+            [this, pane] { dragTechnique(m_viewport, m_document.state().panes[pane].technique); });
+        QObject::connect(caption.more(), &CaptionChoice::pulled, m_viewport, [this, pane] { dragPane(m_viewport, pane); });
     }
 }
 
@@ -96,6 +103,9 @@ void PaneOverlays::place(const std::vector<PaneArea>& areas, double pixelRatio)
     const int width = m_viewport->width(), height = m_viewport->height();
     for (std::size_t pane = 0; pane < areas.size(); ++pane) {
         const PaneArea& area = areas[pane];
+        m_captions[pane]->setVisible(!area.isEmpty());
+        if (area.isEmpty())
+            m_legends[pane]->hide();
         const int left = toWindow(area.x) + kMargin;
         m_captions[pane]->move(left, toWindow(area.y) + kMargin);
         m_captions[pane]->fit(toWindow(area.width) - 2 * kMargin);
@@ -140,7 +150,7 @@ void popUpUnder(QWidget& button, const std::function<void(QMenu&)>& fill)
 // The document may have changed while the menu is open.
 void PaneOverlays::chooseTechnique(std::size_t pane)
 {
-    m_captionPressed(pane);
+    m_wishes.pressed(pane);
     const auto choose = [this, pane](const TechniqueRow& row) {
         m_document.edit(QObject::tr("Technique %1").arg(qt(row.label)), [&](State& state) {
             if (pane < state.panes.size())
@@ -151,9 +161,16 @@ void PaneOverlays::chooseTechnique(std::size_t pane)
         *m_captions[pane]->technique(), [&](QMenu& menu) { fillTechniques(menu, m_document.state().panes[pane].technique, choose); });
 }
 
+void PaneOverlays::chooseMore(std::size_t pane)
+{
+    m_wishes.pressed(pane);
+    popUpUnder(*m_captions[pane]->more(),
+        [&](QMenu& menu) { fillPaneMenu(menu, m_document, pane, [this, pane] { m_wishes.ownValuesWanted(pane); }); });
+}
+
 void PaneOverlays::chooseView(std::size_t pane)
 {
-    m_captionPressed(pane);
+    m_wishes.pressed(pane);
     const auto choose = [this, pane](const ViewRow& row) {
         m_document.edit(QObject::tr("View %1").arg(qt(row.label)), [&](State& state) {
             if (pane < state.panes.size())

@@ -17,8 +17,11 @@ class MeshReference;
 // Children of the viewport, which owns them.
 class PaneOverlays {
 public:
-    // A caption that is pressed calls captionPressed and then offers the techniques.
-    PaneOverlays(QWidget* viewport, Document& document, std::function<void(std::size_t)> captionPressed);
+    // A caption that is pressed calls `pressed` and then offers what it names; `ownValuesWanted`: the panel is to reach that pane only.
+    struct Wishes {
+        std::function<void(std::size_t pane)> pressed, ownValuesWanted;
+    };
+    PaneOverlays(QWidget* viewport, Document& document, Wishes wishes);
 
     // What they say. measured: of each pane, where it is known; reference: how far the displaced mesh is.
     void update(const std::vector<std::optional<Measurement>>& measured, const MeshReference& reference, std::size_t activePane);
@@ -29,11 +32,12 @@ public:
 private:
     void chooseTechnique(std::size_t pane);
     void chooseView(std::size_t pane);
+    void chooseMore(std::size_t pane);
     void placeHint();
     void makeFor(std::size_t panes);
     QWidget* m_viewport;
     Document& m_document;
-    std::function<void(std::size_t)> m_captionPressed;
+    Wishes m_wishes;
     std::vector<PaneCaption*> m_captions;
     std::vector<HeatLegend*> m_legends; // of the panes; the first one alone when all show one range
     bool m_oneLegend = false; // over all panes

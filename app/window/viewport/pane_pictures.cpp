@@ -54,6 +54,8 @@ std::vector<Error> PanePictures::draw(const ShownScene& scene, const std::vector
     std::vector<Error> troubles;
     for (std::size_t pane = 0; pane < areas.size(); ++pane) {
         picture(pane).mean.restart();
+        if (areas[pane].isEmpty())
+            continue;
         const auto drawn = draw(scene, pane, areas[pane], scale);
         if (!drawn)
             troubles.push_back(drawn.error());
@@ -84,10 +86,10 @@ bool PanePictures::addSlice(const ShownScene& scene, const std::vector<PaneArea>
     const std::size_t pane = m_slices.pane;
     const PaneArea& area = areas[pane];
     Picture& own = picture(pane);
-    const int rows = std::clamp(int(ms * m_slices.rowsPerMs), 1, area.height - m_slices.row);
+    const int rows = std::clamp(int(ms * m_slices.rowsPerMs), 1, std::max(area.height - m_slices.row, 1));
     QElapsedTimer clock;
     clock.start();
-    const bool goesOn = !scene.reference.isShown(pane) && drawSlice(scene, area, own, rows);
+    const bool goesOn = !area.isEmpty() && !scene.reference.isShown(pane) && drawSlice(scene, area, own, rows);
     m_slices.row += rows;
     if (goesOn)
         m_slices.rowsPerMs = rows / std::max(0.01, double(clock.nsecsElapsed()) * 1e-6);
@@ -110,10 +112,13 @@ int PanePictures::samples() const
     return most;
 }
 
-void PanePictures::show(unsigned framebuffer, const std::vector<PaneArea>& areas, int height)
+void PanePictures::show(unsigned framebuffer, const Arrangement& arrangement, int height)
 {
+    const std::vector<PaneArea>& areas = arrangement.areas;
     if (areas.size() > 1)
         clearTo(framebuffer, 0.1f, 0.1f, 0.1f); // the gaps between them
+    if (arrangement.pair || arrangement.composition.zoom > 1.f)
+        return compose(framebuffer, arrangement, height);
     for (std::size_t pane = 0; pane < areas.size(); ++pane) {
         PaneArea to = areas[pane];
         to.y = height - to.y - to.height; // OpenGL counts from below
@@ -123,6 +128,47 @@ void PanePictures::show(unsigned framebuffer, const std::vector<PaneArea>& areas
         else
             copyTo(own.drawn, framebuffer, to);
     }
+}
+
+void PanePictures::compose(unsigned framebuffer, const Arrangement& arrangement, int height)
+{
+    const auto textureOf = [this](std::size_t pane) {
+        Picture& own = picture(pane);
+        return own.mean.count() > 0 ? own.mean.texture() : own.drawn.texture();
+    };
+    const auto put = [&](std::size_t at, unsigned first, unsigned second, const Composition& composition) {
+        const PaneArea& to = arrangement.areas[at];
+        (void)m_composer.draw({framebuffer, to.x, height - to.y - to.height, to.width, to.height}, first, second, composition);
+    };
+    if (!arrangement.pair) {
+        for (std::size_t pane = 0; pane < arrangement.areas.size(); ++pane) {
+            const unsigned own = textureOf(pane);
+            put(pane, own, own, {.zoom = arrangement.composition.zoom, .corner = arrangement.composition.corner});
+        }
+        return;
+    }
+    const auto [first, second] = *arrangement.pair;
+    put(first, arrangement.first ? m_composer.upload(*arrangement.first) : textureOf(first), textureOf(second), arrangement.composition);
+}
+
+Image PanePictures::pixels(std::size_t pane)
+{
+    const Picture& own = picture(pane);
+    return pixels(pane, {0, 0, own.drawn.width(), own.drawn.height()});
+}
+
+Image PanePictures::around(std::size_t pane, glm::vec2 share, int radius)
+{
+    const Picture& own = picture(pane);
+    const int x = int(std::floor(share.x * float(own.drawn.width()))), y = int(std::floor(share.y * float(own.drawn.height())));
+    return pixels(pane, {x - radius, y - radius, 2 * radius + 1, 2 * radius + 1});
+}
+
+Image PanePictures::pixels(std::size_t pane, const PaneArea& of)
+{
+    Picture& own = picture(pane);
+    return own.mean.count() > 0 ? readPixels(own.mean.framebuffer(), own.drawn.width(), own.drawn.height(), of)
+                                : readPixels(own.drawn.handle(), own.drawn.width(), own.drawn.height(), of);
 }
 
 // Of views of errors; against the displaced mesh when that has been traced.
@@ -143,7 +189,9 @@ std::vector<std::optional<Measurement>> PanePictures::measure(const ShownScene& 
 {
     std::vector<std::optional<Measurement>> measured(areas.size());
     for (std::size_t pane = 0; pane < areas.size(); ++pane)
-        if (const auto counted = m_renderer.measure(scene.state, pane, scene.resources, areas[pane].aspect())) {
+        if (areas[pane].isEmpty())
+            continue;
+        else if (const auto counted = m_renderer.measure(scene.state, pane, scene.resources, areas[pane].aspect())) {
             measured[pane] = *counted;
             measured[pane]->error = errorOf(scene, pane, areas[pane]);
         }

@@ -4,10 +4,13 @@
 #pragma once
 #include "app/window/viewport/pane_layout.h"
 #include "app/window/viewport/smoother.h"
+#include "core/image/image.h"
+#include "render/compose.h"
 #include "render/renderer.h"
 #include <QImage>
 #include <list>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace relievo {
@@ -22,7 +25,15 @@ struct ShownScene {
     double pixelRatio; // pixels of the screen a pixel of the window
 };
 
-// All calls need the context current in which it was made.
+// How they are put on the screen.
+struct Arrangement {
+    std::vector<PaneArea> areas; // of the panes
+    Composition composition; // its zoom holds for every pane; the rest for the pair, when there is one
+    std::optional<std::pair<std::size_t, std::size_t>> pair; // panes that share one place
+    const Image* first = nullptr; // is shown instead of the pair's first picture; RGBA U8, row 0 at the top
+};
+
+// Panes whose area is empty are not drawn. All calls need the context current in which it was made.
 class PanePictures {
 public:
     // A new picture of each pane at a share of its full resolution along each side; averaging begins anew. Says what could not be drawn.
@@ -32,8 +43,14 @@ public:
     bool addSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms);
     int samples() const; // averaged in what is shown, of the pane that has most; 0: as the pixels fall
 
-    // Copies what was drawn into a framebuffer `height` pixels high.
-    void show(unsigned framebuffer, const std::vector<PaneArea>& areas, int height);
+    // Puts what was drawn into a framebuffer `height` pixels high.
+    void show(unsigned framebuffer, const Arrangement& arrangement, int height);
+    // A rectangle of the pane's picture as it is shown, pixels of it from its upper left corner: RGBA U8, row 0 at the top. Outside of the
+    // picture it is transparent.
+    Image pixels(std::size_t pane, const PaneArea& of);
+    Image pixels(std::size_t pane); // the whole picture
+    // The pixel at a share from the upper left corner, and so many around it.
+    Image around(std::size_t pane, glm::vec2 share, int radius);
 
     // Counts the fetches of each pane, and measures the error where a view shows it; nothing for one that cannot be drawn.
     std::vector<std::optional<Measurement>> measure(const ShownScene& scene, const std::vector<PaneArea>& areas);
@@ -53,10 +70,12 @@ private:
         double rowsPerMs = 1.; // as the last slice took
     };
     Picture& picture(std::size_t pane);
+    void compose(unsigned framebuffer, const Arrangement& arrangement, int height);
     Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale);
     bool drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows);
     std::optional<ErrorNumbers> errorOf(const ShownScene& scene, std::size_t pane, const PaneArea& area);
     Renderer m_renderer;
+    Composer m_composer;
     Slices m_slices;
     std::list<Picture> m_pictures; // of the panes in order; these do not move in memory
 };

@@ -53,10 +53,22 @@ void Smoother::upload()
     m_uploaded = m_count;
 }
 
-void Smoother::copyTo(unsigned framebuffer, const PaneArea& to)
+unsigned Smoother::texture()
 {
     if (m_uploaded != m_count)
         upload();
+    return m_texture;
+}
+
+unsigned Smoother::framebuffer()
+{
+    texture();
+    return m_framebuffer;
+}
+
+void Smoother::copyTo(unsigned framebuffer, const PaneArea& to)
+{
+    texture();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glBlitFramebuffer(0, 0, m_width, m_height, to.x, to.y, to.x + to.width, to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);

@@ -22,6 +22,8 @@ public:
     int count() const { return m_count; }
     glm::vec2 nextShift() const; // of the picture to be added next, pixels in [-0.5, 0.5)
     void add(const Framebuffer& picture); // all of one size since the restart
+    unsigned texture(); // the mean, row 0 below
+    unsigned framebuffer(); // that reads it
     void copyTo(unsigned framebuffer, const PaneArea& to); // the mean, y up from below; afterwards `framebuffer` is bound
 
 private:

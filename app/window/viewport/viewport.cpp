@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/viewport.h"
 #include "app/window/viewport/gl_calls.h"
+#include "app/window/viewport/pane_drops.h"
 #include <QElapsedTimer>
 #include <QScopeGuard>
 #include <algorithm>
@@ -11,8 +12,6 @@
 namespace relievo {
 namespace {
 constexpr int kRestDelay = 100; // ms without a move until the full picture
-constexpr int kMeasureDelay = 60; // ms from the full picture to the counting of fetches
-constexpr double kSlice = 25; // ms of smoothing between two looks at what the hand does
 } // namespace
 
 Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidget* parent)
@@ -23,20 +22,22 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     , m_reference(new MeshReference(document, assets, messages, this)) // hears of changes before the picture does
     , m_navigator(new Navigator(document,
           {.isReady = [this] { return m_assets.ready(); },
-              .paneAt = [this](QPointF at) { return paneAt(areas(), at * devicePixelRatioF()).value_or(std::size_t(m_activePane)); },
+              .paneAt = [this](QPointF at) { return m_places->under(at); },
               .view = [this](std::size_t pane) { return view(pane); },
               .activePane = [this] { return std::size_t(m_activePane); }},
           this))
-    , m_overlays(this, document, [this](std::size_t pane) { setActivePane(int(pane)); })
+    , m_places(new PanePlaces(
+          document, [this] { return std::size_t(m_activePane); }, this))
+    , m_atRest(new AtRest([this] { return scene(); }, *m_places, this))
+    , m_overlays(this, document,
+          {.pressed = [this](std::size_t pane) { setActivePane(int(pane)); },
+              .ownValuesWanted = [this](std::size_t pane) { Q_EMIT ownValuesWanted(pane); }})
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 160);
     setUpdateBehavior(QOpenGLWidget::PartialUpdate);
-    for (QTimer* timer : {&m_rest, &m_measuring, &m_smoothing})
-        timer->setSingleShot(true);
-    connect(&m_smoothing, &QTimer::timeout, this, &Viewport::smooth);
+    m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, [this] { refresh(false); });
-    connect(&m_measuring, &QTimer::timeout, this, &Viewport::measure);
     connect(&m_shaderWatch, &QTimer::timeout, this, [this] {
         if (m_pictures && m_pictures->shadersChanged())
             refresh(false);
@@ -49,6 +50,16 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     connect(&assets, &Assets::earlyChanged, this, [this] { refresh(m_assets.drawsEarly()); });
     connect(m_reference, &MeshReference::progressed, this, &Viewport::updateOverlays);
     connect(m_reference, &MeshReference::made, this, [this] { refresh(false); });
+    connect(m_atRest, &AtRest::counted, this, [this] { updateOverlays(), m_reference->want(areas()); });
+    connect(m_atRest, &AtRest::smoothed, this, qOverload<>(&Viewport::update));
+    connect(m_places, &PanePlaces::arranged, this, [this] { refresh(false), updateOverlays(); });
+    connect(m_places, &PanePlaces::composed, this, [this] { update(), updateOverlays(); });
+    connect(&m_places->zoom(), &PixelZoom::changed, this, [this] {
+        const int factor = m_places->zoom().factor();
+        m_overlays.say(factor > 1 ? tr("%1 x    middle drag moves, Esc shows all").arg(factor) : QString());
+    });
+    new PaneDrops(
+        document, [this](QPointF at) { return m_places->under(at); }, this);
     connect(m_navigator, &Navigator::pressed, this, [this](std::size_t pane) { setActivePane(int(pane)); });
     connect(m_navigator, &Navigator::wheeled, this, [this] { refresh(true); });
     connect(m_navigator, &Navigator::hint, this, [this](const QString& text) { m_overlays.say(text); });
@@ -59,7 +70,7 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
 
 void Viewport::wantSamples(int samples)
 {
-    m_samplesAtRest.want(samples);
+    m_atRest->want(samples);
     refresh(false);
 }
 
@@ -84,12 +95,6 @@ void Viewport::resizeGL(int, int)
     refresh(m_shownScale > 0.); // coarse while the window is pulled larger
 }
 
-std::vector<PaneArea> Viewport::areas() const
-{
-    const auto pixels = [this](int size) { return std::max(1, int(std::lround(size * devicePixelRatioF()))); };
-    return paneAreas(int(paneCount()), pixels(width()), pixels(height()));
-}
-
 ShownScene Viewport::scene() const
 {
     return {m_assets.drawnState(), m_assets.drawnResources(), *m_reference, devicePixelRatioF()};
@@ -106,7 +111,7 @@ Navigator::PaneView Viewport::view(std::size_t pane) const
 void Viewport::documentChanged(Changes what)
 {
     if (what & Change::Panes) {
-        m_measured.clear();
+        m_atRest->forget();
         if (m_activePane >= int(paneCount()))
             setActivePane(0);
     }
@@ -120,8 +125,8 @@ void Viewport::refresh(bool moving)
 {
     m_stale = true;
     m_moving = moving;
-    m_measuring.stop();
-    m_smoothing.stop();
+    m_atRest->stop();
+    m_places->flip().forget();
     m_rest.stop();
     if (moving && !m_assets.drawsEarly()) // after an early picture more comes soon
         m_rest.start(kRestDelay);
@@ -134,7 +139,7 @@ void Viewport::paintGL()
         return clearTo(defaultFramebufferObject(), 0.2f, 0.2f, 0.2f);
     if (m_stale)
         drawPanes(m_moving ? m_pacer.scale() : 1.);
-    m_pictures->show(defaultFramebufferObject(), areas(), std::max(1, int(std::lround(height() * devicePixelRatioF()))));
+    m_pictures->show(defaultFramebufferObject(), m_places->arrangement(), std::max(1, int(std::lround(height() * devicePixelRatioF()))));
     Q_EMIT painted(m_shownScale >= 1.);
 }
 
@@ -150,8 +155,8 @@ void Viewport::drawPanes(double scale)
     m_stale = false;
     m_shownScale = scale;
     QTimer::singleShot(0, this, [this, troubles] { drawn(troubles); }); // what hears of it may change the layout: not while painting
-    if (scale >= 1. && std::size_t(troubles.size()) < paneCount()) // one that cannot be drawn does not stop the others
-        m_measuring.start(kMeasureDelay);
+    if (scale >= 1. && m_assets.ready() && std::size_t(troubles.size()) < paneCount()) // one that cannot be drawn does not stop the others
+        m_atRest->start(*m_pictures);
 }
 
 void Viewport::drawn(const QList<Message>& troubles)
@@ -161,41 +166,24 @@ void Viewport::drawn(const QList<Message>& troubles)
     const bool waits = !resources.accelerationMaps.missingFor(m_assets.drawnState(), *resources.material).empty();
     m_messages.set("picture", waits ? QList<Message>() : troubles);
     if (!troubles.isEmpty())
-        m_measured.clear(), updateOverlays(); // it was of another picture
+        m_atRest->forget(), updateOverlays(); // it was of another picture
 }
 
-// A slice more of the shifted pictures; the hand is heard between any two.
-void Viewport::smooth()
+Image Viewport::pixelsAround(std::size_t pane, glm::vec2 share, int radius)
 {
-    if (m_stale || !m_pictures)
-        return;
+    if (!m_pictures)
+        return {};
     makeCurrent();
-    const bool isWhole = m_pictures->addSlice(scene(), areas(), kSlice);
-    doneCurrent();
-    if (!isWhole || !m_samplesAtRest.isEnough(smoothSamples()))
-        m_smoothing.start(0);
-    if (isWhole && m_samplesAtRest.isShown(smoothSamples()))
-        update();
-}
-
-// Counts the fetches of what is shown, then smooths the edges.
-void Viewport::measure()
-{
-    if (m_stale || !m_pictures || !m_assets.ready())
-        return;
-    makeCurrent();
-    m_measured = m_pictures->measure(scene(), areas());
-    doneCurrent();
-    updateOverlays();
-    m_reference->want(areas());
-    m_samplesAtRest.begin();
-    m_smoothing.start(0);
+    const auto done = qScopeGuard([this] { doneCurrent(); });
+    return m_pictures->around(pane, share, radius);
 }
 
 QImage Viewport::picture()
 {
     if (!m_pictures || !m_assets.ready())
         return {};
+    if (m_places->inPlace().isOn())
+        return grabFramebuffer();
     makeCurrent();
     const auto done = qScopeGuard([this] { doneCurrent(); });
     return m_pictures->sheet({m_document.state(), m_assets.resources(), *m_reference, devicePixelRatioF()}, areas(), SamplesAtRest::kLeast);
@@ -213,8 +201,8 @@ void Viewport::setActivePane(int pane)
 
 void Viewport::updateOverlays()
 {
-    m_overlays.update(m_measured, *m_reference, std::size_t(m_activePane));
-    m_overlays.place(areas(), devicePixelRatioF());
+    m_overlays.update(m_atRest->measured(), *m_reference, std::size_t(m_activePane));
+    m_overlays.place(m_places->captionAreas(), devicePixelRatioF());
 }
 
 } // namespace relievo

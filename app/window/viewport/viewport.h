@@ -2,18 +2,17 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "app/window/compare/pane_places.h"
 #include "app/window/document/assets.h"
+#include "app/window/viewport/at_rest.h"
 #include "app/window/viewport/frame_pacer.h"
 #include "app/window/viewport/mesh_reference.h"
 #include "app/window/viewport/navigator.h"
 #include "app/window/viewport/pane_overlays.h"
-#include "app/window/viewport/pane_pictures.h"
-#include "app/window/viewport/samples_at_rest.h"
 #include <QImage>
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace relievo {
@@ -29,18 +28,22 @@ public:
     QImage picture(); // what is shown, in full resolution, without captions; null when a pane cannot be drawn
     // Pictures averaged in what is shown: 0 while the edges are as the pixels fall.
     int smoothSamples() const { return m_pictures ? m_pictures->samples() : 0; }
-    const SamplesAtRest& samplesAtRest() const { return m_samplesAtRest; }
+    const SamplesAtRest& samplesAtRest() const { return m_atRest->samples(); }
     void wantSamples(int samples);
     bool isFull() const { return !m_stale && m_shownScale >= 1.; } // the picture shown has the full resolution
     // Nothing more to come.
-    bool isSettled() const { return isFull() && !m_measuring.isActive() && !m_smoothing.isActive() && !m_reference->busy(); }
+    bool isSettled() const { return isFull() && !m_atRest->isActive() && !m_reference->busy(); }
     double shownScale() const { return m_shownScale; }
     const MeshReference& reference() const { return *m_reference; }
+    PanePlaces& places() const { return *m_places; }
+    // So many pixels of the pane's picture around one, as they are shown; see PanePictures::around.
+    Image pixelsAround(std::size_t pane, glm::vec2 share, int radius);
 
 Q_SIGNALS:
     void activePaneChanged(int pane);
     void painted(bool full);
     void clicked(std::size_t pane, QPointF position);
+    void ownValuesWanted(std::size_t pane);
 
 protected:
     void initializeGL() override;
@@ -49,15 +52,13 @@ protected:
 
 private:
     std::size_t paneCount() const { return m_document.state().panes.size(); }
-    std::vector<PaneArea> areas() const;
+    std::vector<PaneArea> areas() const { return m_places->areas(); }
     ShownScene scene() const;
     Navigator::PaneView view(std::size_t pane) const;
     void documentChanged(Changes what);
     void refresh(bool moving); // a new picture is wanted
     void drawPanes(double scale);
     void drawn(const QList<Message>& troubles);
-    void smooth();
-    void measure();
     void updateOverlays();
 
     Document& m_document;
@@ -66,13 +67,13 @@ private:
     std::unique_ptr<PanePictures> m_pictures; // goes with the context
     MeshReference* m_reference;
     Navigator* m_navigator;
+    PanePlaces* m_places;
+    AtRest* m_atRest;
     PaneOverlays m_overlays;
     FramePacer m_pacer;
-    QTimer m_rest, m_measuring, m_smoothing, m_shaderWatch;
-    SamplesAtRest m_samplesAtRest;
+    QTimer m_rest, m_shaderWatch;
     bool m_stale = true, m_moving = false;
     double m_shownScale = 0; // of the full resolution along each side
-    std::vector<std::optional<Measurement>> m_measured; // of the panes
     int m_activePane = 0;
 };
 

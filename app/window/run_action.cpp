@@ -1,0 +1,119 @@
+// From actions to the parts of the window.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/run_action.h"
+#include "app/window/clipboard.h"
+#include "app/window/compare/compare_bar.h"
+#include "app/window/compare/loupe.h"
+#include "app/window/dialogs/export_dialog.h"
+#include "app/window/document/files.h"
+#include "app/window/inspector/ray_inspector.h"
+#include "app/window/main_window.h"
+#include "app/window/palette/command_palette.h"
+#include "app/window/viewport/viewport.h"
+#include "app/window/widgets/text.h"
+#include "app/window/widgets/theme.h"
+#include <QUndoStack>
+
+namespace relievo {
+namespace {
+std::size_t activePane(MainWindow& window)
+{
+    return std::size_t(window.viewport().activePane());
+}
+
+// Of the active pane, or the one that it shares.
+void moveCamera(MainWindow& window, const Camera& camera)
+{
+    window.document().edit({}, [&](State& state) { setCameraOf(state, activePane(window), camera); });
+}
+
+void setWireframe(Document& document, bool on)
+{
+    const ParameterRow& row = *findParameter("wireframe");
+    document.edit(qt(row.label), [&](State& state) { assign(state, row, on, kAllPanes); });
+}
+
+void runFile(MainWindow& window, Action action)
+{
+    Files& files = window.files();
+    switch (action) {
+    case Action::New:
+        return files.startNew();
+    case Action::Open:
+        return files.ask();
+    case Action::OpenFolder:
+        return files.askFolder();
+    case Action::Save:
+        return files.save();
+    default:
+        return files.saveAs();
+    }
+}
+} // namespace
+
+// A case for each row of kActions: one that is missing does not compile.
+void runAction(MainWindow& window, Action action, bool on)
+{
+    Document& document = window.document();
+    Viewport& viewport = window.viewport();
+    switch (action) {
+    case Action::New:
+    case Action::Open:
+    case Action::OpenFolder:
+    case Action::Save:
+    case Action::SaveAs:
+        return runFile(window, action);
+    case Action::Reload:
+        return window.assets().readAgain();
+    case Action::Export:
+        return window.exportDialog().present();
+    case Action::ExportAgain:
+        return window.exportDialog().runAgain();
+    case Action::Quit:
+        return void(window.close());
+    case Action::Undo:
+        return document.undoStack().undo();
+    case Action::Redo:
+        return document.undoStack().redo();
+    case Action::CopyPicture:
+        return copyPicture(viewport, window.messages());
+    case Action::CopyCamera:
+        return copyCamera(document, activePane(window));
+    case Action::PasteCamera:
+        return pasteCamera(document, activePane(window), window.messages());
+    case Action::Wireframe:
+        return setWireframe(document, on);
+    case Action::TwoPanes:
+        return window.comparing().showPanes(on);
+    case Action::Wipe:
+    case Action::Blink:
+    case Action::Difference:
+    case Action::Flip:
+        return window.comparing().compare(inPlaceModeOf(action), on);
+    case Action::SwapPanes:
+        return window.comparing().swap();
+    case Action::Loupe:
+        return window.loupe().setOn(on);
+    case Action::Frame:
+        return moveCamera(window, framed(cameraOf(document.state(), activePane(window))));
+    case Action::ResetCamera:
+        return moveCamera(window, framed({}));
+    case Action::Smoother:
+        return viewport.wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
+    case Action::LightTheme:
+        return chooseLook(on ? Look::Light : Look::Dark);
+    case Action::Panels:
+        return window.showPanels(on);
+    case Action::RayInspector:
+        return window.inspector().setVisible(on);
+    case Action::Palette:
+        return showPalette(window);
+    case Action::Shortcuts:
+        return showShortcuts(&window);
+    case Action::About:
+        return showAbout(&window);
+    }
+}
+
+} // namespace relievo
