@@ -81,7 +81,27 @@ Expected<Measurement> Renderer::measure(const State& state, std::size_t pane, co
     return result;
 }
 
-Expected<ErrorNumbers> Renderer::measureError(const DrawRequest& asked)
+namespace {
+HeatNumbers heatNumbers(std::vector<float>& values, double range)
+{
+    HeatNumbers numbers;
+    if (values.empty())
+        return numbers;
+    const double share = 1. / double(values.size());
+    for (const float value : values) {
+        numbers.mean += double(value) * share;
+        numbers.most = std::max(numbers.most, double(value));
+        const double bin = double(value) / range * double(numbers.histogram.size());
+        numbers.histogram[std::size_t(std::clamp(bin, 0., double(numbers.histogram.size() - 1)))] += float(share);
+    }
+    const auto p99 = values.begin() + std::ptrdiff_t((values.size() - 1) * 99 / 100);
+    std::ranges::nth_element(values, p99);
+    numbers.p99 = double(*p99);
+    return numbers;
+}
+} // namespace
+
+Expected<ViewNumbers> Renderer::measureView(const DrawRequest& asked)
 {
     const int width = asked.target().width, height = asked.target().height;
     if (const auto made = m->measuring.resize(width, height, true); !made)
@@ -95,8 +115,11 @@ Expected<ErrorNumbers> Renderer::measureError(const DrawRequest& asked)
         return tl::unexpected(drawn.error());
     m->pixels.resize(std::size_t(width) * std::size_t(height) * 4);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, m->pixels.data());
-    ErrorNumbers numbers;
-    double sure = 0., all = 0.;
+    const ViewRow& view = *findView(request.view());
+    ViewNumbers numbers;
+    ErrorNumbers& error = numbers.error;
+    std::vector<float> values;
+    double all = 0.;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const float* pixel = &m->pixels[(std::size_t(height - 1 - y) * std::size_t(width) + std::size_t(x)) * 4];
@@ -105,15 +128,17 @@ Expected<ErrorNumbers> Renderer::measureError(const DrawRequest& asked)
                 continue;
             all += 1.;
             if (isMissed ? request.exact()->pixels.isUncertain(x, y) : pixel[0] < 0.f) {
-                numbers.uncertain += 1.;
+                error.uncertain += 1.;
                 continue;
             }
-            const double off = isMissed ? 1. : double(pixel[0]);
-            sure += 1.;
-            numbers.rmse += off * off, numbers.wrong += off > kWrongInView;
+            const float off = isMissed ? 1.f : pixel[0];
+            values.push_back(off);
+            error.rmse += double(off) * double(off), error.wrong += off > view.wrongFrom;
         }
-    numbers.rmse = std::sqrt(numbers.rmse / std::max(sure, 1.)), numbers.wrong /= std::max(sure, 1.);
-    numbers.uncertain /= std::max(all, 1.);
+    const double sure = std::max(double(values.size()), 1.);
+    error.rmse = std::sqrt(error.rmse / sure), error.wrong /= sure;
+    error.uncertain /= std::max(all, 1.);
+    numbers.heat = heatNumbers(values, double(heatRange(effectiveParameters(state, request.pane()), view)));
     return numbers;
 }
 

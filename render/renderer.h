@@ -5,24 +5,34 @@
 #include "core/ground/error.h"
 #include "render/draw_request.h"
 #include "render/gl/framebuffer.h"
+#include <array>
 #include <memory>
 #include <optional>
 
 namespace relievo {
 
+// What a heat view shows, over the pixels that the mesh covers and of which it can tell; in its unit.
+struct HeatNumbers {
+    double mean = 0, p99 = 0, most = 0; // p99: 99 % of the pixels show less or as much
+    std::array<float, 48> histogram{}; // shares of the pixels, in equal steps up to the bright end; the last one holds what is beyond too
+};
+
 // Of a view against the exact answer.
 struct ErrorNumbers {
-    double rmse = 0; // share of the relief's depth, at most 1 each
-    double wrong = 0; // share of the pixels that are off by more than kWrongInView, or covered by one of the two alone
+    double rmse = 0; // in the view's unit; a share of the relief's depth is at most 1 each
+    double wrong = 0; // share of the pixels that are off by more than ViewRow::wrongFrom, or covered by one of the two alone
     double uncertain = 0; // share of the pixels of which the displaced mesh cannot tell: they count in neither
 };
-inline constexpr double kWrongInView = 0.02; // share of the relief's depth
+struct ViewNumbers {
+    HeatNumbers heat;
+    ErrorNumbers error; // of views against the exact answer
+};
 
 // Averages over the pixels that the mesh covers.
 struct Measurement {
     double meanFetches = 0, maxFetches = 0; // texture reads of the search
     double covered = 0; // share of pixels
-    std::optional<ErrorNumbers> error = {}; // where it was asked for
+    std::optional<ViewNumbers> shown = {}; // of heat views, where it was asked for
 };
 
 // Holds the uploads and programs of one context; all calls need that context (or one that shares with it) to be current.
@@ -41,8 +51,8 @@ public:
     // Mean texture fetches a covered pixel of this view of the material, from a picture of at most 320 x 200.
     Expected<Measurement> measure(const State& state, std::size_t pane, const Resources& resources, float aspect);
 
-    // The numbers of a view against the exact answer: of the request's own pane, camera and size; the target's framebuffer is not used.
-    Expected<ErrorNumbers> measureError(const DrawRequest& request);
+    // The numbers of a heat view: of the request's own pane, camera and size; the target's framebuffer is not used.
+    Expected<ViewNumbers> measureView(const DrawRequest& request);
 
     // True when files under RELIEVO_SHADERS changed since the last draw (cheap; ask it from a timer).
     bool shadersChanged() const;

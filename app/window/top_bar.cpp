@@ -91,7 +91,7 @@ void TopBar::addKeys(QWidget* window)
     for (int i = 0; i < techniques.size() && !techniqueKeys(i).isEmpty(); ++i)
         connect(new QShortcut(techniqueKeys(i), window), &QShortcut::activated, this,
             [this, row = techniques[i]] { Q_EMIT techniqueChosen(*row); });
-    for (std::size_t i = 0; i < kViews.size(); ++i)
+    for (std::size_t i = 0; i < kViews.size() && !viewKeys(i).isEmpty(); ++i)
         connect(new QShortcut(viewKeys(i), window), &QShortcut::activated, this, [this, i] { Q_EMIT viewChosen(kViews[i]); });
     for (const std::size_t count : kPaneCounts)
         connect(new QShortcut(paneCountKeys(count), window), &QShortcut::activated, this, [this, count] { Q_EMIT paneCountChosen(count); });

@@ -73,6 +73,7 @@ struct Parameters { // the initialisers ARE the defaults
     bool wireframe = false;
     float fetchRange = 40.f;
     float errorRange = 0.05f;
+    float pixelRange = 4.f;
     bool operator==(const Parameters&) const = default;
 };
 
@@ -546,6 +547,15 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .unit = "depth",
         .sharedByPanes = true,
         .help = "Depth error at the bright end of the views Error and Overshoot, as a share of the depth."},
+    {.member = &Parameters::pixelRange,
+        .key = "pixelRange",
+        .label = "Shift shown up to",
+        .group = Group::View,
+        .min = 0.01f,
+        .max = 256.f,
+        .unit = "px",
+        .sharedByPanes = true,
+        .help = "Shift of the texture at the bright end of the views of errors in texels and in pixels."},
 });
 
 const ParameterRow* findParameter(std::string_view key); // nullptr when unknown

@@ -24,6 +24,7 @@ struct ViewRow {
     ViewLight light = ViewLight::None;
     bool showsHoles = false; // what is cut out of the mesh is drawn
     float Parameters::*range = nullptr; // the value at the bright end of a heat map; nullptr: 1
+    float wrongFrom = 0.02f; // of views against the exact hit: what is more than this is wrong, in the unit
     std::string_view help;
 };
 
@@ -104,6 +105,33 @@ inline constexpr auto kViews = std::to_array<ViewRow>({
         .help
         = "How wrong the picture is: difference of the point seen from the really displaced mesh, as a share of the depth; silhouettes "
           "and curvature count too. Grey: the displaced mesh is itself too coarse there to tell. On a plane the same as the search's."},
+    {.key = "error-texels",
+        .label = "Error in texels",
+        .file = "views/error_texels.glsl",
+        .unit = "texels",
+        .isHeat = true,
+        .isAgainstExact = true,
+        .range = &Parameters::pixelRange,
+        .wrongFrom = 0.5f,
+        .help = "How many texels of the height map lie between the place that is shown and the exact one."},
+    {.key = "error-pixels",
+        .label = "Error in pixels",
+        .file = "views/error_pixels.glsl",
+        .unit = "px",
+        .isHeat = true,
+        .isAgainstExact = true,
+        .range = &Parameters::pixelRange,
+        .wrongFrom = 0.5f,
+        .help
+        = "By how many pixels of this picture the texture is shifted: the way between the place that is shown and the exact one, over "
+          "the way that a pixel spans."},
+    {.key = "missed",
+        .label = "Missed",
+        .file = "views/missed.glsl",
+        .unit = "pixels",
+        .isHeat = true,
+        .isAgainstExact = true,
+        .help = "Bright where the search went through the first surface: too deep by more than 2 % of the depth."},
 });
 
 const ViewRow* findView(std::string_view key); // nullptr when unknown

@@ -4,8 +4,9 @@
 struct Exact {
     bool found;
     float ahead; // of the search's hit, across the surface, share of the relief's depth; positive: that is deeper
+    vec2 uv; // where it is
 };
-Exact exactAnswer = Exact(false, 0.0f);
+Exact exactAnswer = Exact(false, 0.0f, vec2(0.0f));
 bool isExactKnown = false;
 
 Exact exactAlong(Surface surface); // views/exact_ray.glsl or views/exact_prisms.glsl

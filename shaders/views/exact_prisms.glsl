@@ -9,5 +9,5 @@ Exact exactAlong(Surface surface)
     PrismHit exact = walkFromPixel(surface);
     searchesExactly = false;
     float across = clamp(dot(surface.start.normal, surface.toEye), 0.002f, 1.0f);
-    return Exact(exact.hit.found, dot(exact.point - surface.point, surface.toEye) * across / surface.depth);
+    return Exact(exact.hit.found, dot(exact.point - surface.point, surface.toEye) * across / surface.depth, exact.hit.uv);
 }

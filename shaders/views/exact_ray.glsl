@@ -9,5 +9,5 @@ Exact exactAlong(Surface surface)
     ray.uv -= ray.duv * meshDepth; // from where white would lie
     float t = exactDepth(ray);
     Hit hit = Hit(ray.uv + ray.duv * t, t, t < 1.0f || endsOnFloor(ray), 0);
-    return Exact(!isPastOutline(hit), surface.hit.t - (t - bendFrom(t).x));
+    return Exact(!isPastOutline(hit), surface.hit.t - (t - bendFrom(t).x), hit.uv);
 }

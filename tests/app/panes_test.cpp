@@ -182,6 +182,6 @@ TEST_F(PanesTest, ViewsOfTheirOwnHaveLegendsOfTheirOwn)
     legends = 0;
     for (HeatLegend* legend : window.viewport().findChildren<HeatLegend*>())
         legends += legend->isVisible();
-    EXPECT_EQ(legends, 1) << "one range for all";
+    EXPECT_EQ(legends, 4);
     EXPECT_EQ(steps(), 1);
 }

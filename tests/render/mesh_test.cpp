@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/files/image_file.h"
 #include "core/mesh/animation/pose.h"
+#include "core/state/views.h"
 #include "render/measure/mesh_errors.h"
 #include "tests/render/mesh_support.h"
 #include <cmath>
@@ -217,7 +218,8 @@ TEST(ErrorView, IsSummedUp)
     const auto numbersOf = [&](const std::shared_ptr<const ExactDistances>& exact) {
         DrawRequest request(state, 0, resources, {.width = 320, .height = 240});
         request.compareWith(exact);
-        return renderer.measureError(request).value_or(ErrorNumbers{-1., -1., -1.});
+        const auto numbers = renderer.measureView(request);
+        return numbers ? numbers->error : ErrorNumbers{-1., -1., -1.};
     };
     const Image image = picture(renderer, state, resources, "error", 320, 240);
     double squares = 0., wrong = 0., pixels = 0.;
@@ -225,7 +227,7 @@ TEST(ErrorView, IsSummedUp)
         for (int x = 0; x < image.width; ++x)
             if (image.value(x, y, 3) > 0.5f) {
                 const double off = double(image.value(x, y, 0));
-                squares += off * off, wrong += off > kWrongInView, pixels += 1.;
+                squares += off * off, wrong += off > knownView("error").wrongFrom, pixels += 1.;
             }
     const ErrorNumbers search = numbersOf(nullptr);
     EXPECT_NEAR(search.rmse, std::sqrt(squares / pixels), 1e-5);

@@ -5,6 +5,7 @@
 #include "app/window/document/document.h"
 #include "app/window/viewport/overlays.h"
 #include "app/window/viewport/viewport.h"
+#include "app/window/widgets/choice_list.h"
 #include "app/window/widgets/segmented.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
@@ -29,7 +30,7 @@ QVector<Segmented::Item> modeItems()
 
 QComboBox* choice(const char* name, const QString& tip, const QStringList& texts = {})
 {
-    auto* made = new QComboBox;
+    auto* made = new ChoiceList;
     made->setObjectName(name);
     made->setToolTip(tip);
     made->setAccessibleName(tip);

@@ -7,9 +7,7 @@
 
 namespace relievo {
 namespace {
-// One for each row of kViews, along the keyboard.
-constexpr std::string_view kViewKeys = "1234567890-=";
-static_assert(kViewKeys.size() >= kViews.size(), "a view without key");
+constexpr std::string_view kViewKeys = "1234567890-="; // of the first views, along the keyboard
 
 // The keys of a row as a menu shows them. A shortcut of the item itself would make that of the window ambiguous.
 template <typename Row>
@@ -41,7 +39,8 @@ QKeySequence techniqueKeys(int index)
 
 QKeySequence viewKeys(std::size_t index)
 {
-    return QKeySequence(Qt::Key(kViewKeys[index])); // Qt::Key_0 and its like are the characters' codes
+    return index < kViewKeys.size() ? QKeySequence(Qt::Key(kViewKeys[index]))
+                                    : QKeySequence(); // Qt::Key_0 and its like are the characters' codes
 }
 
 void fillTechniques(QMenu& menu, const std::string& current, const std::function<void(const TechniqueRow&)>& chosen)

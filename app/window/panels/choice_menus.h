@@ -16,7 +16,7 @@ namespace relievo {
 // Those that the GPU can draw, in the table's order.
 QVector<const TechniqueRow*> drawnTechniques();
 
-// What brings each of them in the window; empty after the ninth technique.
+// What brings each of them in the window; empty after the ninth technique and the twelfth view.
 QKeySequence techniqueKeys(int index); // into drawnTechniques()
 QKeySequence viewKeys(std::size_t index); // into kViews
 

@@ -11,13 +11,15 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace relievo {
 namespace {
 // The picture is dark in either look, so what lies over it is light on dark in either.
 const QColor kShade(0, 0, 0, 150), kBright(240, 240, 240), kQuiet(190, 190, 190);
-constexpr int kPadding = 8, kArrow = 14; // px
+constexpr int kPadding = 8, kArrow = 14, kHistogram = 56; // px
 
 void shade(QPainter& painter, const QRect& rect)
 {
@@ -160,24 +162,63 @@ void PaneCaption::paintEvent(QPaintEvent*)
 
 HeatLegend::HeatLegend(QWidget* parent) : QWidget(parent)
 {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setCursor(Qt::ArrowCursor);
     setFont(smallFont());
+    setToolTip(tr("Double click: the scale ends where 99 % of the pixels lie below"));
     resize(sizeHint());
 }
 
-void HeatLegend::show(const QString& title, const QString& unit, double max)
+void HeatLegend::show(const QString& title, const QString& unit, double max, const std::optional<HeatNumbers>& numbers)
 {
-    if (std::tie(title, unit, max) == std::tie(m_title, m_unit, m_max))
+    const bool isSame = std::tie(title, unit, max) == std::tie(m_title, m_unit, m_max) && !numbers && !m_numbers;
+    m_title = title, m_unit = unit, m_max = max, m_numbers = numbers;
+    if (!isSame)
+        update();
+}
+
+QSize HeatLegend::sizeHint() const
+{
+    return {268, 76 + (m_isOpen ? kHistogram : 0)};
+}
+
+// The histogram stands above the scale.
+void HeatLegend::unfold(bool open)
+{
+    open = open && m_numbers;
+    if (std::exchange(m_isOpen, open) == open)
         return;
-    m_title = title, m_unit = unit, m_max = max;
-    update();
+    const int more = open ? kHistogram : -kHistogram;
+    setGeometry(x(), y() - more, width(), height() + more);
+    raise();
+}
+
+void HeatLegend::mouseDoubleClickEvent(QMouseEvent*)
+{
+    if (m_numbers && m_numbers->p99 > 0.)
+        Q_EMIT fitWanted(m_numbers->p99);
+}
+
+void HeatLegend::paintHistogram(QPainter& painter, const QRect& room) const
+{
+    const auto& shares = m_numbers->histogram;
+    const float most = std::max(*std::ranges::max_element(shares), 1e-6f);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const int from = room.left() + room.width() * int(i) / int(shares.size());
+        const int to = room.left() + room.width() * int(i + 1) / int(shares.size());
+        const int high = int(std::lround(std::sqrt(shares[i] / most) * float(room.height()))); // the root: what is rare is seen as well
+        const glm::vec3 c = heatColor((float(i) + 0.5f) / float(shares.size()));
+        painter.fillRect(from, room.bottom() + 1 - high, std::max(to - from - 1, 1), high, QColor::fromRgbF(c.x, c.y, c.z));
+    }
 }
 
 void HeatLegend::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     shade(painter, rect());
-    const QRect bar(12, 8, width() - 24, 10);
+    const int top = m_isOpen ? kHistogram : 0;
+    const QRect bar(12, top + 8, width() - 24, 10);
+    if (m_isOpen && m_numbers)
+        paintHistogram(painter, {bar.left(), 10, bar.width(), kHistogram - 8});
     for (int x = 0; x < bar.width(); ++x) { // the colours of the picture, by the picture's own text
         const glm::vec3 c = heatColor((float(x) + 0.5f) / float(bar.width()));
         painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor::fromRgbF(c.x, c.y, c.z));
@@ -199,9 +240,20 @@ void HeatLegend::paintEvent(QPaintEvent*)
         const int w = fontMetrics().horizontalAdvance(number(i));
         painter.drawText(std::clamp(x - w / 2, 4, width() - w - 4), bar.bottom() + 5 + fontMetrics().ascent(), number(i));
     }
-    painter.setPen(kQuiet);
-    painter.drawText(
-        QRect(12, height() - 16, width() - 24, 14), Qt::AlignCenter, fontMetrics().elidedText(caption(), Qt::ElideRight, width() - 24));
+    const auto line = [&](int from, const QString& text, const QColor& color) {
+        painter.setPen(color);
+        painter.drawText(QRect(12, from, width() - 24, 14), Qt::AlignCenter, fontMetrics().elidedText(text, Qt::ElideRight, width() - 24));
+    };
+    line(height() - 33, caption(), kQuiet);
+    line(height() - 17, summary(), kBright);
+}
+
+QString HeatLegend::summary() const
+{
+    if (!m_numbers)
+        return {};
+    const auto text = [](double value) { return QString::number(value, 'g', 3); };
+    return tr("mean %1    99 % %2    most %3").arg(text(m_numbers->mean), text(m_numbers->p99), text(m_numbers->most));
 }
 
 QString HeatLegend::caption() const

@@ -3,9 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/state/state.h"
+#include "render/renderer.h"
 #include <QAbstractButton>
 #include <QString>
 #include <QWidget>
+#include <optional>
 
 namespace relievo {
 
@@ -58,22 +60,34 @@ private:
     bool m_active = false;
 };
 
-// The colours of a heat view with numbers and unit.
+// The colours of a heat view with numbers and unit, and what its pixels show; under the pointer, how many show how much. A double click
+// asks for a scale that ends at the 99th percentile.
 class HeatLegend : public QWidget {
     Q_OBJECT
 public:
     explicit HeatLegend(QWidget* parent);
-    void show(const QString& title, const QString& unit, double max);
+    void show(const QString& title, const QString& unit, double max, const std::optional<HeatNumbers>& numbers = {});
     double max() const { return m_max; } // at the bright end
-    QString caption() const; // what the numbers are
-    QSize sizeHint() const override { return {268, 60}; }
+    QString caption() const; // what the numbers of the scale are
+    QString summary() const; // of the pixels; "" while it is not known
+    QSize sizeHint() const override;
+
+Q_SIGNALS:
+    void fitWanted(double most);
 
 protected:
     void paintEvent(QPaintEvent*) override;
+    void enterEvent(QEnterEvent*) override { unfold(true); }
+    void leaveEvent(QEvent*) override { unfold(false); }
+    void mouseDoubleClickEvent(QMouseEvent*) override;
 
 private:
+    void unfold(bool open);
+    void paintHistogram(QPainter& painter, const QRect& room) const;
     QString m_title, m_unit;
     double m_max = 1;
+    std::optional<HeatNumbers> m_numbers;
+    bool m_isOpen = false;
 };
 
 // One line of text in the middle of the lower edge, shown for as long as it matters.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/pane_overlays.h"
+#include "app/window/document/editing.h"
 #include "app/window/panels/choice_menus.h"
 #include "app/window/panels/pane_menu.h"
 #include "app/window/viewport/mesh_reference.h"
@@ -21,7 +22,6 @@ constexpr int kMargin = 12; // px from the picture's edge to what lies over it
 struct Range {
     const ViewRow* view = nullptr;
     double most = 0;
-    bool operator==(const Range&) const = default;
 };
 Range rangeOf(const State& state, std::size_t pane)
 {
@@ -35,14 +35,16 @@ QString viewText(const State& state, std::size_t pane)
     return view ? qt(view->label) : QString::fromStdString(state.panes[pane].view);
 }
 
-QString costText(const Measurement& measured)
+QString costText(const Measurement& measured, const ViewRow* view)
 {
     QString text = QObject::tr("%1 fetches/px").arg(measured.meanFetches, 0, 'f', 1);
-    if (!measured.error)
+    if (!measured.shown || !view || !view->isAgainstExact)
         return text;
-    text += QObject::tr("   RMSE %1, %2 % wrong").arg(measured.error->rmse, 0, 'f', 4).arg(100. * measured.error->wrong, 0, 'f', 1);
-    if (measured.error->uncertain >= 0.001)
-        text += QObject::tr(", %1 % unsure").arg(100. * measured.error->uncertain, 0, 'f', 1);
+    const ErrorNumbers& error = measured.shown->error;
+    const bool isShare = view->unit == "depth"; // of the depth, else texels or pixels
+    text += QObject::tr("   RMSE %1, %2 % wrong").arg(error.rmse, 0, 'f', isShare ? 4 : 2).arg(100. * error.wrong, 0, 'f', 1);
+    if (error.uncertain >= 0.001)
+        text += QObject::tr(", %1 % unsure").arg(100. * error.uncertain, 0, 'f', 1);
     return text;
 }
 } // namespace
@@ -62,6 +64,7 @@ void PaneOverlays::makeFor(std::size_t panes)
         m_captions.push_back(new PaneCaption(m_viewport));
         m_legends.push_back(new HeatLegend(m_viewport));
         const PaneCaption& caption = *m_captions.back();
+        QObject::connect(m_legends.back(), &HeatLegend::fitWanted, m_viewport, [this, pane](double most) { fitRange(pane, most); });
         QObject::connect(caption.technique(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseTechnique(pane); });
         QObject::connect(caption.view(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseView(pane); });
         QObject::connect(caption.more(), &QAbstractButton::clicked, m_viewport, [this, pane] { chooseMore(pane); });
@@ -76,23 +79,21 @@ void PaneOverlays::update(const std::vector<std::optional<Measurement>>& measure
     const State& state = m_document.state();
     const std::size_t count = state.panes.size();
     makeFor(count);
-    const Range first = rangeOf(state, 0);
-    m_oneLegend = count > 1 && first.view;
-    for (std::size_t pane = 1; pane < count; ++pane)
-        m_oneLegend = m_oneLegend && rangeOf(state, pane) == first;
     for (std::size_t pane = 0; pane < m_captions.size(); ++pane) {
         const Range range = pane < count ? rangeOf(state, pane) : Range{};
         m_captions[pane]->setVisible(pane < count);
-        m_legends[pane]->setVisible(range.view && (pane == 0 || !m_oneLegend));
+        m_legends[pane]->setVisible(range.view != nullptr);
         if (pane >= count)
             continue;
-        QString cost = pane < measured.size() && measured[pane] ? costText(*measured[pane]) : QString();
-        if (!cost.isEmpty() && reference.busy() && reference.isShown(pane) && !measured[pane]->error)
+        QString cost = pane < measured.size() && measured[pane] ? costText(*measured[pane], findView(state.panes[pane].view)) : QString();
+        if (!cost.isEmpty() && reference.busy() && reference.isShown(pane) && !measured[pane]->shown)
             cost += QObject::tr("   tracing %1 %").arg(reference.percent());
         m_captions[pane]->show(
             count == 1 ? QString() : paneLetter(pane), techniqueText(state, pane), viewText(state, pane), cost, pane == activePane);
         if (range.view)
-            m_legends[pane]->show(qt(range.view->label), qt(range.view->unit), range.most);
+            m_legends[pane]->show(qt(range.view->label), qt(range.view->unit), range.most,
+                pane < measured.size() && measured[pane] && measured[pane]->shown ? std::optional(measured[pane]->shown->heat)
+                                                                                  : std::nullopt);
     }
 }
 
@@ -100,7 +101,6 @@ void PaneOverlays::place(const std::vector<PaneArea>& areas, double pixelRatio)
 {
     makeFor(areas.size());
     const auto toWindow = [pixelRatio](int pixels) { return int(pixels / pixelRatio); };
-    const int width = m_viewport->width(), height = m_viewport->height();
     for (std::size_t pane = 0; pane < areas.size(); ++pane) {
         const PaneArea& area = areas[pane];
         m_captions[pane]->setVisible(!area.isEmpty());
@@ -110,13 +110,22 @@ void PaneOverlays::place(const std::vector<PaneArea>& areas, double pixelRatio)
         m_captions[pane]->move(left, toWindow(area.y) + kMargin);
         m_captions[pane]->fit(toWindow(area.width) - 2 * kMargin);
         HeatLegend& legend = *m_legends[pane];
-        const int room = (m_oneLegend ? width : toWindow(area.width)) - 2 * kMargin;
+        const int room = toWindow(area.width) - 2 * kMargin;
         legend.resize(std::clamp(room, 0, legend.sizeHint().width()), legend.sizeHint().height());
-        // One range of several panes stands between them, over all.
-        const int bottom = m_oneLegend ? height : toWindow(area.y + area.height);
-        legend.move(m_oneLegend ? (width - legend.width()) / 2 : left, bottom - kMargin - legend.height());
+        legend.move(left, toWindow(area.y + area.height) - kMargin - legend.height());
     }
     placeHint();
+}
+
+// What a heat view shows up to is one value for all panes, so that they can be compared.
+void PaneOverlays::fitRange(std::size_t pane, double most)
+{
+    const ViewRow* view = pane < m_document.state().panes.size() ? findView(m_document.state().panes[pane].view) : nullptr;
+    if (!view || !view->range)
+        return;
+    const ParameterRow& row = kParameters[indexOf(view->range)];
+    m_document.edit(
+        QObject::tr("Fit the scale"), [&](State& state) { assign(state, row, std::clamp(float(most), row.min, row.max), kAllPanes); });
 }
 
 // In the middle, over the legends that stand at the lower edge.

@@ -34,13 +34,13 @@ private:
     void chooseView(std::size_t pane);
     void chooseMore(std::size_t pane);
     void placeHint();
+    void fitRange(std::size_t pane, double most);
     void makeFor(std::size_t panes);
     QWidget* m_viewport;
     Document& m_document;
     Wishes m_wishes;
     std::vector<PaneCaption*> m_captions;
-    std::vector<HeatLegend*> m_legends; // of the panes; the first one alone when all show one range
-    bool m_oneLegend = false; // over all panes
+    std::vector<HeatLegend*> m_legends;
     Hint* m_hint;
 };
 

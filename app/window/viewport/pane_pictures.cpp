@@ -171,17 +171,17 @@ Image PanePictures::pixels(std::size_t pane, const PaneArea& of)
                                 : readPixels(own.drawn.handle(), own.drawn.width(), own.drawn.height(), of);
 }
 
-// Of views of errors; against the displaced mesh when that has been traced.
-std::optional<ErrorNumbers> PanePictures::errorOf(const ShownScene& scene, std::size_t pane, const PaneArea& area)
+// Of heat views; of errors against the displaced mesh when that has been traced.
+std::optional<ViewNumbers> PanePictures::numbersOf(const ShownScene& scene, std::size_t pane, const PaneArea& area)
 {
     const ViewRow* view = findView(scene.state.panes[pane].view);
-    if (!view || !view->isAgainstExact)
+    if (!view || !view->isHeat)
         return {};
     const double scale = scene.reference.isShown(pane) ? 1. : std::min(1., double(kMeasuredWidth) / area.width);
     DrawRequest request(scene.state, pane, scene.resources, {.width = scaled(area.width, scale), .height = scaled(area.height, scale)});
     if (scene.reference.isShown(pane) && !request.compareWith(scene.reference.exactOf(pane)))
         return {};
-    const auto numbers = m_renderer.measureError(request);
+    const auto numbers = m_renderer.measureView(request);
     return numbers ? std::optional(*numbers) : std::nullopt;
 }
 
@@ -193,7 +193,7 @@ std::vector<std::optional<Measurement>> PanePictures::measure(const ShownScene& 
             continue;
         else if (const auto counted = m_renderer.measure(scene.state, pane, scene.resources, areas[pane].aspect())) {
             measured[pane] = *counted;
-            measured[pane]->error = errorOf(scene, pane, areas[pane]);
+            measured[pane]->shown = numbersOf(scene, pane, areas[pane]);
         }
     return measured;
 }

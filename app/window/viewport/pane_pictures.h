@@ -52,7 +52,7 @@ public:
     // The pixel at a share from the upper left corner, and so many around it.
     Image around(std::size_t pane, glm::vec2 share, int radius);
 
-    // Counts the fetches of each pane, and measures the error where a view shows it; nothing for one that cannot be drawn.
+    // Counts the fetches of each pane, and measures what heat views show; nothing for one that is not drawn.
     std::vector<std::optional<Measurement>> measure(const ShownScene& scene, const std::vector<PaneArea>& areas);
     // All panes in full resolution, `samples` pictures averaged in each; null when one of them cannot be drawn.
     QImage sheet(const ShownScene& scene, const std::vector<PaneArea>& areas, int samples);
@@ -73,7 +73,7 @@ private:
     void compose(unsigned framebuffer, const Arrangement& arrangement, int height);
     Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale);
     bool drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows);
-    std::optional<ErrorNumbers> errorOf(const ShownScene& scene, std::size_t pane, const PaneArea& area);
+    std::optional<ViewNumbers> numbersOf(const ShownScene& scene, std::size_t pane, const PaneArea& area);
     Renderer m_renderer;
     Composer m_composer;
     Slices m_slices;

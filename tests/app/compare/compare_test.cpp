@@ -224,6 +224,29 @@ TEST_F(CompareTest, PixelsAreEnlargedTheSameInAllPictures)
     EXPECT_EQ(shown(), before);
 }
 
+TEST_F(CompareTest, ALegendTellsThePixelsAndFitsItsScaleToThem)
+{
+    window.document().edit("Fetches", [](State& state) { state.panes = {Pane{"relief", {}, "fetches"}, Pane{"flat"}}; });
+    rest();
+    auto* legend = picture.findChild<HeatLegend*>();
+    ASSERT_TRUE(waitFor([&] { return !legend->summary().isEmpty(); }));
+    const int low = legend->height();
+    QEnterEvent enter({}, {}, {});
+    QApplication::sendEvent(legend, &enter);
+    EXPECT_GT(legend->height(), low) << "the histogram";
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(legend, &leave);
+    EXPECT_EQ(legend->height(), low);
+    const int steps = this->steps();
+    QTest::mouseDClick(legend, Qt::LeftButton);
+    EXPECT_EQ(this->steps(), steps + 1);
+    EXPECT_GT(state().parameters.fetchRange, 5.f);
+    EXPECT_LT(state().parameters.fetchRange, 40.f) << "relief of 32 steps seldom needs them all here";
+    EXPECT_EQ(legend->max(), double(state().parameters.fetchRange));
+    window.action("undo")->trigger();
+    EXPECT_EQ(state().parameters.fetchRange, 40.f);
+}
+
 TEST_F(CompareTest, TheLoupeTellsThePixelsAndTheSearchOfEachPicture)
 {
     window.setView("shaded");

@@ -1,0 +1,11 @@
+// View: whether the search went through the first surface.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: MIT
+#include "views/depth_difference.glsl"
+
+const float kMissed = 0.02f; // share of the relief's depth
+
+float viewValue(Surface surface)
+{
+    return depthDifference(surface) > kMissed ? 1.0f : 0.0f;
+}
