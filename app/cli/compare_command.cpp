@@ -12,6 +12,7 @@
 #include "core/trace/shader_on_cpu.h"
 #include "render/measure/frame_time.h"
 #include "render/measure/picture_errors.h"
+#include "render/measure/picture_judge.h"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -71,7 +72,7 @@ Expected<void> timeCells(Renderer& renderer, Sheet& sheet, const Progress& progr
     std::vector<TimedFrame> frames = {plainQuad(sheet.subject.state)};
     for (const Cell& cell : sheet.cells)
         frames.push_back({withSetting(sheet.subject.state, cell.setting), knownView("shaded").key});
-    const auto times = frameTimes(renderer, sheet.subject.resources, frames, kWidth, kHeight, kRounds, progress);
+    const auto times = frameTimes(renderer, sheet.subject.resources, frames, kWidth, kHeight, {kRounds}, progress);
     if (!times)
         return tl::unexpected(times.error());
     for (std::size_t i = 0; i < sheet.cells.size(); ++i) {

@@ -1,11 +1,9 @@
-// What report, tune and compare share: subjects to measure on, and pictures of settings against the most exact one.
+// What report, tune and compare share: subjects to measure on.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "app/cli/command.h"
-#include "core/analysis/image_metrics.h"
 #include "core/analysis/sweep.h"
-#include "render/windowless.h"
 
 namespace relievo::cli {
 
@@ -21,25 +19,5 @@ Result<Subject> openSubject(const StateOptions& options, bool whole, const Progr
 
 // The rows that `--techniques` names; all but engines' when empty. A wrong key is wrong usage.
 Result<std::vector<const TechniqueRow*>> techniquesOf(const std::vector<std::string>& keys);
-
-// Shaded pictures compared with that of the most exact setting, at one size. Needs a current context.
-class PictureJudge {
-public:
-    // resources: completed with acceleration maps; they must outlive the judge.
-    static Expected<PictureJudge> create(Renderer& renderer, const State& state, Resources& resources, int width, int height);
-    struct Verdict {
-        Image picture;
-        double psnr, flip;
-    };
-    Expected<Verdict> judge(const SearchSetting& setting);
-
-private:
-    PictureJudge(Renderer& renderer, const State& state, Resources& resources, Image exact);
-    Renderer* m_renderer;
-    State m_state;
-    Resources* m_resources;
-    Image m_exact;
-    Flip m_flip;
-};
 
 } // namespace relievo::cli

@@ -11,6 +11,7 @@
 #include "render/measure/frame_time.h"
 #include "render/measure/mesh_errors.h"
 #include "render/measure/picture_errors.h"
+#include "render/measure/picture_judge.h"
 #include <charconv>
 #include <epoxy/gl.h>
 #include <memory>
@@ -20,6 +21,8 @@
 namespace relievo::cli {
 
 namespace {
+
+constexpr double kEnough = 100.; // ms of drawing for the time of a frame
 
 struct ReportOptions {
     Common common;
@@ -117,8 +120,8 @@ Expected<void> measureAngle(GpuRun& run, const Subject& subject, Resources& reso
     std::vector<TimedFrame> frames = {plainQuad(view)};
     for (const SearchSetting& setting : report.plan.settings)
         frames.push_back({withSetting(view, setting), timedView(resources)});
-    const auto times = frameTimes(
-        renderer, resources, frames, report.pictureWidth, report.pictureHeight, options.fast ? 3 : 5, Progress{{}, progress.stop});
+    const auto times = frameTimes(renderer, resources, frames, report.pictureWidth, report.pictureHeight, {options.fast ? 3 : 5, kEnough},
+        Progress{{}, progress.stop});
     if (!times)
         return tl::unexpected(times.error());
     auto judge = PictureJudge::create(renderer, view, resources, report.pictureWidth, report.pictureHeight);

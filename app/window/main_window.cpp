@@ -5,9 +5,8 @@
 #include "app/window/compare/compare_bar.h"
 #include "app/window/compare/loupe.h"
 #include "app/window/dialogs/export_dialog.h"
+#include "app/window/docks.h"
 #include "app/window/document/files.h"
-#include "app/window/inspector/picking.h"
-#include "app/window/inspector/ray_inspector.h"
 #include "app/window/page.h"
 #include "app/window/panels/animation_bar.h"
 #include "app/window/panels/drop_frame.h"
@@ -32,12 +31,12 @@ MainWindow::MainWindow()
     , m_compare(new CompareBar(m_document, *m_viewport))
     , m_loupe(new Loupe(m_document, m_assets, *m_viewport))
     , m_animation(new AnimationBar(m_document, m_assets))
-    , m_inspector(new RayInspector(m_document, m_assets))
+    , m_docks(std::make_unique<Docks>(m_document, m_assets, *m_viewport))
     , m_maps(new MapPanel(m_document, m_assets))
     , m_parameters(new ParameterPanel(m_document))
     , m_line(new MessageLine(m_messages, m_assets.background()))
     , m_top(new TopBar(*m_files, this))
-    , m_page(new Page({m_maps, m_viewport, {m_compare, m_inspector, m_animation}, m_parameters, m_line}))
+    , m_page(new Page({m_maps, m_viewport, m_docks->between(m_compare, m_animation), m_parameters, m_line}))
 {
     setAcceptDrops(true);
     setCentralWidget(m_page);
@@ -45,8 +44,6 @@ MainWindow::MainWindow()
     new DropNote(m_messages, this);
     new DropFrame(m_viewport, this);
     connectAll();
-    connectPicking(*m_inspector, *m_viewport, m_document);
-    connect(m_inspector, &RayInspector::closed, m_top->action(Action::RayInspector), &QAction::trigger);
     m_page->restore(*this);
     showPanels(m_page->panelsShown());
     documentChanged();
@@ -64,6 +61,7 @@ MainWindow::~MainWindow()
 void MainWindow::connectAll()
 {
     connect(m_top, &TopBar::triggered, this, [this](Action action, bool on) { runAction(*this, action, on); });
+    connect(m_docks.get(), &Docks::closed, this, [this](Action action) { m_top->action(action)->setChecked(false); });
     connect(m_top, &TopBar::techniqueChosen, this, [this](const TechniqueRow& row) { setTechnique(row.key); });
     connect(m_top, &TopBar::viewChosen, this, [this](const ViewRow& row) { setView(row.key); });
     connect(m_top, &TopBar::paneCountChosen, m_compare, qOverload<std::size_t>(&CompareBar::showPanes));

@@ -6,11 +6,13 @@
 #include "app/window/document/editing.h"
 #include "app/window/top_bar.h"
 #include <QMainWindow>
+#include <memory>
 
 namespace relievo {
 
 class AnimationBar;
 class CompareBar;
+class Docks;
 class ExportDialog;
 class Files;
 class Loupe;
@@ -18,7 +20,6 @@ class MapPanel;
 class MessageLine;
 class Page;
 class ParameterPanel;
-class RayInspector;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -36,9 +37,9 @@ public:
     MapPanel& maps() { return *m_maps; }
     ParameterPanel& parameters() { return *m_parameters; }
     MessageLine& messageLine() { return *m_line; }
-    RayInspector& inspector() { return *m_inspector; }
     CompareBar& comparing() { return *m_compare; }
     Loupe& loupe() { return *m_loupe; }
+    Docks& docks() { return *m_docks; }
     QAction* action(std::string_view key) const { return m_top->action(findAction(key)->action); } // of kActions
 
     void setTechnique(std::string_view key); // of the active pane
@@ -65,7 +66,7 @@ private:
     CompareBar* m_compare;
     Loupe* m_loupe;
     AnimationBar* m_animation;
-    RayInspector* m_inspector;
+    std::unique_ptr<Docks> m_docks; // what they show is the page's
     MapPanel* m_maps;
     ParameterPanel* m_parameters;
     MessageLine* m_line;

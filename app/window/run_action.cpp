@@ -5,9 +5,10 @@
 #include "app/window/clipboard.h"
 #include "app/window/compare/compare_bar.h"
 #include "app/window/compare/loupe.h"
+#include "app/window/decide/measuring_run.h"
 #include "app/window/dialogs/export_dialog.h"
+#include "app/window/docks.h"
 #include "app/window/document/files.h"
-#include "app/window/inspector/ray_inspector.h"
 #include "app/window/main_window.h"
 #include "app/window/palette/command_palette.h"
 #include "app/window/viewport/viewport.h"
@@ -46,6 +47,13 @@ void runFile(MainWindow& window, Action action)
         return files.askFolder();
     case Action::Save:
         return files.save();
+    case Action::Export:
+        return window.exportDialog().present();
+    case Action::ExportAgain:
+        return window.exportDialog().runAgain();
+    case Action::ContactSheet:
+    case Action::Report:
+        return measuringOf(window).ask(action);
     default:
         return files.saveAs();
     }
@@ -63,13 +71,13 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::OpenFolder:
     case Action::Save:
     case Action::SaveAs:
+    case Action::Export:
+    case Action::ExportAgain:
+    case Action::ContactSheet:
+    case Action::Report:
         return runFile(window, action);
     case Action::Reload:
         return window.assets().readAgain();
-    case Action::Export:
-        return window.exportDialog().present();
-    case Action::ExportAgain:
-        return window.exportDialog().runAgain();
     case Action::Quit:
         return void(window.close());
     case Action::Undo:
@@ -106,7 +114,8 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::Panels:
         return window.showPanels(on);
     case Action::RayInspector:
-        return window.inspector().setVisible(on);
+    case Action::SpeedAndError:
+        return window.docks().show(action, on);
     case Action::Palette:
         return showPalette(window);
     case Action::Shortcuts:

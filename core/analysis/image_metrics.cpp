@@ -13,6 +13,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace relievo {
@@ -82,6 +83,15 @@ float hybridDistance(glm::vec3 a, glm::vec3 b)
     return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
 }
 
+// each(i) of all pixels, on all threads.
+void forEach(std::size_t count, const auto& each)
+{
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+            each(i);
+    });
+}
+
 Picture opponentPicture(const Image& image)
 {
     Picture out(image.width, image.height);
@@ -89,10 +99,10 @@ Picture opponentPicture(const Image& image)
     for (int i = 0; i < 256; ++i)
         linear[std::size_t(i)] = linearOf(float(i) / 255.f);
     const std::size_t channels = std::size_t(image.channels);
-    for (std::size_t i = 0; i < image.texelCount(); ++i) {
+    forEach(image.texelCount(), [&](std::size_t i) {
         const auto value = [&](std::size_t c) { return linear[std::to_integer<std::size_t>(image.data[i * channels + c])]; };
         out.set(i, opponentOf({value(0), value(1), value(2)}));
-    }
+    });
     return out;
 }
 
@@ -188,8 +198,7 @@ Picture perceived(const Picture& opponent, double perDegree)
     Picture out(opponent.width, opponent.height);
     for (std::size_t c = 0; c < 3; ++c)
         out.planes[c] = seen(opponent.planes[c], opponent.width, opponent.height, kSensitivity[c], perDegree);
-    for (std::size_t i = 0; i < out.planes[0].size(); ++i)
-        out.set(i, huntLabOf(glm::clamp(linearOf(out.at(i)), 0.f, 1.f)));
+    forEach(out.planes[0].size(), [&](std::size_t i) { out.set(i, huntLabOf(glm::clamp(linearOf(out.at(i)), 0.f, 1.f))); });
     return out;
 }
 
@@ -221,8 +230,7 @@ Features featuresOf(const Picture& opponent, double perDegree)
     const auto strength = [&](const Kernel& kernel) {
         Plane x = filtered(lightness, opponent.width, opponent.height, kernel, flat);
         const Plane y = filtered(lightness, opponent.width, opponent.height, flat, kernel);
-        for (std::size_t i = 0; i < x.size(); ++i)
-            x[i] = std::hypot(x[i], y[i]);
+        forEach(x.size(), [&](std::size_t i) { x[i] = std::hypot(x[i], y[i]); });
         return x;
     };
     return {strength(edge), strength(point)};
@@ -265,12 +273,12 @@ std::vector<float> Flip::map(const Image& test) const
     const Parts& a = *m_reference;
     const Parts b(opponentPicture(test), m_pixelsPerDegree);
     std::vector<float> map(test.texelCount());
-    for (std::size_t i = 0; i < map.size(); ++i) {
+    forEach(map.size(), [&](std::size_t i) {
         const float edge = std::abs(a.features.edges[i] - b.features.edges[i]);
         const float point = std::abs(a.features.points[i] - b.features.points[i]);
         const float feature = std::sqrt(std::clamp(std::max(edge, point) / std::numbers::sqrt2_v<float>, 0.f, 1.f));
         map[i] = std::pow(colorDifference(a.lab.at(i), b.lab.at(i)), 1.f - feature);
-    }
+    });
     return map;
 }
 

@@ -45,14 +45,14 @@ void countFetches(HitErrors& errors, std::vector<int>& fetches)
 
 } // namespace
 
-HitErrors compareHits(
-    const HeightField& field, std::span<const SearchRay> rays, std::span<const SearchHit> hits, std::span<const SearchHit> exact)
+HitErrors compareHits(const HeightField& field, std::span<const SearchRay> rays, std::span<const SearchHit> hits,
+    std::span<const SearchHit> exact, std::span<const double> pixels)
 {
-    assert(rays.size() == hits.size() && rays.size() == exact.size());
+    assert(rays.size() == hits.size() && rays.size() == exact.size() && (pixels.empty() || pixels.size() == rays.size()));
     HitErrors errors;
     std::vector<int> fetches;
     std::optional<ExactSearch> search; // made for the first hit in doubt
-    double squares = 0., squaresTexels = 0.;
+    double squares = 0., squaresTexels = 0., squaresPixels = 0.;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!exact[i].found)
             continue;
@@ -78,6 +78,8 @@ HitErrors compareHits(
         }
         squares += difference * difference;
         squaresTexels += texels * texels;
+        if (!pixels.empty())
+            squaresPixels += difference * difference * pixels[i] * pixels[i];
         errors.largest = std::max(errors.largest, distance);
         errors.largestTexels = std::max(errors.largestTexels, texels);
     }
@@ -85,6 +87,7 @@ HitErrors compareHits(
     const double told = double(std::max<std::size_t>(errors.rays - errors.ties, 1));
     errors.rmse = std::sqrt(squares / told);
     errors.rmseTexels = std::sqrt(squaresTexels / told);
+    errors.rmsePixels = std::sqrt(squaresPixels / told);
     errors.meanBytes /= count;
     countFetches(errors, fetches);
     return errors;
@@ -99,6 +102,7 @@ HitErrors together(std::span<const HitErrors> sets)
         all.tooDeep += set.tooDeep, all.tooShort += set.tooShort, all.notFound += set.notFound;
         all.rmse += told * set.rmse * set.rmse;
         all.rmseTexels += told * set.rmseTexels * set.rmseTexels;
+        all.rmsePixels += told * set.rmsePixels * set.rmsePixels;
         all.meanFetches += weight * set.meanFetches;
         all.meanBytes += weight * set.meanBytes;
         all.p99Fetches += weight * set.p99Fetches;
@@ -108,6 +112,7 @@ HitErrors together(std::span<const HitErrors> sets)
     }
     const double weight = double(std::max<std::size_t>(all.rays, 1)), told = double(std::max<std::size_t>(all.rays - all.ties, 1));
     all.rmse = std::sqrt(all.rmse / told), all.rmseTexels = std::sqrt(all.rmseTexels / told);
+    all.rmsePixels = std::sqrt(all.rmsePixels / told);
     all.meanFetches /= weight, all.meanBytes /= weight, all.p99Fetches /= weight;
     return all;
 }

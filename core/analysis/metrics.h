@@ -24,6 +24,7 @@ struct HitErrors {
     std::size_t notFound = 0; // the search gave up; it counts as t = 1
     double rmse = 0., largest = 0.; // of t, share of the depth
     double rmseTexels = 0., largestTexels = 0.; // between the uv found and the exact one
+    double rmsePixels = 0.; // by which what is seen is shifted; 0 where no `pixels` were told
     double meanFetches = 0., p99Fetches = 0.;
     int maxFetches = 0;
     double meanBytes = 0.; // fetched
@@ -34,8 +35,9 @@ struct HitErrors {
 };
 
 // hits[i] and exact[i] answer rays[i]. Rays whose exact answer is missing (not finite, or too long to walk) are left out.
-HitErrors compareHits(
-    const HeightField& field, std::span<const SearchRay> rays, std::span<const SearchHit> hits, std::span<const SearchHit> exact);
+// pixels: of each ray, by how many pixels an error of the whole depth shifts what is seen; may be empty.
+HitErrors compareHits(const HeightField& field, std::span<const SearchRay> rays, std::span<const SearchHit> hits,
+    std::span<const SearchHit> exact, std::span<const double> pixels = {});
 
 // Several sets as one: counts add, roots of mean squares are weighted by rays that are no ties, p99 is the mean of those (weighted), maxima
 // are kept.

@@ -3,18 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/sweep.h"
 #include "core/maps/maps.h"
-#include "core/trace/shader_on_cpu.h"
 #include <chrono>
-#include <map>
 
 namespace relievo {
 
 namespace {
-
-struct TimedMaps {
-    SearchMaps maps;
-    double seconds = 0., bytesPerTexel = 0.;
-};
 
 Expected<SearchMaps> bakedAfresh(const BakedMapRow& row, const Parameters& parameters, const HeightField& heights, const Progress& progress)
 {
@@ -22,24 +15,6 @@ Expected<SearchMaps> bakedAfresh(const BakedMapRow& row, const Parameters& param
     if (!baked)
         return tl::unexpected(baked.error());
     return SearchMaps{heights, accelerationMapOf(row, {std::make_shared<const BakedMap>(storedMap(row, *baked, row.bits))}, heights)};
-}
-
-Expected<TimedMaps> timedMaps(
-    const TechniqueRow& technique, const Parameters& parameters, const HeightField& heights, bool fresh, const Progress& progress)
-{
-    const BakedMapRow* row = technique.accelerationMap.empty() ? nullptr : findBakedMap(technique.accelerationMap);
-    const auto start = std::chrono::steady_clock::now();
-    auto maps = fresh && row ? bakedAfresh(*row, parameters, heights, progress) : searchMaps(technique.key, parameters, &heights, progress);
-    if (!maps)
-        return tl::unexpected(maps.error());
-    TimedMaps timed{std::move(*maps)};
-    if (row)
-        timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (timed.maps.acceleration)
-        timed.bytesPerTexel += double(timed.maps.acceleration->bytes()) / double(heights.texels().size());
-    if (technique.needsHeights())
-        timed.bytesPerTexel += heights.storedBits() <= 16 ? 2. : 4.;
-    return timed;
 }
 
 // What makes two settings share their maps: the technique's acceleration map and the parameters that it depends on.
@@ -53,89 +28,89 @@ std::string mapsKey(const TechniqueRow& technique, const Parameters& parameters)
     return key;
 }
 
-struct Question {
-    std::vector<SearchRay> rays;
-    std::vector<SearchHit> exact;
-};
-
-class FieldSweep {
-public:
-    FieldSweep(const SweepPlan& plan, std::size_t field, const Progress& progress, std::vector<SweepRow>& rows)
-        : m_plan(plan)
-        , m_index(field)
-        , m_field(plan.fields[field])
-        , m_progress(progress)
-        , m_rows(rows)
-    {
-    }
-
-    Expected<void> run()
-    {
-        for (const AngleBand band : m_plan.bands) {
-            auto rays = bandRays(band, m_field.depth, m_plan.rays, m_plan.seed);
-            auto exact = traceRays("reference", {}, SearchMaps{m_field.heights, {}}, rays, quiet());
-            if (!exact)
-                return tl::unexpected(exact.error());
-            m_questions.push_back({std::move(rays), std::move(*exact)});
-        }
-        for (std::size_t i = 0; i < m_plan.settings.size(); ++i) {
-            if (const auto measured = measure(i); !measured)
-                return measured;
-            m_progress.at(float(m_index * m_plan.settings.size() + i + 1) / float(m_plan.fields.size() * m_plan.settings.size()));
-        }
-        return {};
-    }
-
-private:
-    Progress quiet() const { return {{}, m_progress.stop}; }
-
-    Expected<const TimedMaps*> mapsFor(const TechniqueRow& technique, const Parameters& parameters)
-    {
-        const std::string key = mapsKey(technique, parameters);
-        if (const auto found = m_maps.find(key); found != m_maps.end())
-            return &found->second;
-        auto made = timedMaps(technique, parameters, m_field.heights, m_plan.freshMaps, quiet());
-        if (!made)
-            return tl::unexpected(made.error());
-        return &m_maps.emplace(key, std::move(*made)).first->second;
-    }
-
-    Expected<void> measure(std::size_t setting)
-    {
-        const TechniqueRow& technique = *m_plan.settings[setting].technique;
-        Parameters parameters = m_plan.settings[setting].parameters;
-        parameters.depth = float(m_field.depth);
-        const auto maps = mapsFor(technique, parameters);
-        if (!maps)
-            return tl::unexpected(maps.error());
-        for (std::size_t band = 0; band < m_questions.size(); ++band) {
-            const auto& [rays, exact] = m_questions[band];
-            const auto hits = traceRays(technique.key, parameters, (*maps)->maps, atMesh(technique, rays), quiet());
-            if (!hits)
-                return tl::unexpected(hits.error());
-            m_rows.push_back(
-                {setting, m_index, band, compareHits(m_field.heights, rays, *hits, exact), (*maps)->seconds, (*maps)->bytesPerTexel});
-        }
-        return {};
-    }
-
-    const SweepPlan& m_plan;
-    std::size_t m_index;
-    const SweepField& m_field;
-    const Progress& m_progress;
-    std::vector<SweepRow>& m_rows;
-    std::vector<Question> m_questions;
-    std::map<std::string, TimedMaps> m_maps;
-};
-
 } // namespace
+
+RaySweep::RaySweep(const HeightField& heights, std::vector<RaySet> sets, bool freshMaps)
+    : m_heights(heights)
+    , m_sets(std::move(sets))
+    , m_freshMaps(freshMaps)
+{
+}
+
+Expected<RaySweep> RaySweep::create(const HeightField& heights, std::vector<RaySet> sets, bool freshMaps, const Progress& progress)
+{
+    RaySweep sweep(heights, std::move(sets), freshMaps);
+    for (const RaySet& set : sweep.m_sets) {
+        auto exact = traceRays("reference", {}, SearchMaps{heights, {}}, set.rays, {{}, progress.stop});
+        if (!exact)
+            return tl::unexpected(exact.error());
+        sweep.m_exact.push_back(std::move(*exact));
+    }
+    return sweep;
+}
+
+Expected<const RaySweep::TimedMaps*> RaySweep::mapsFor(
+    const TechniqueRow& technique, const Parameters& parameters, const Progress& progress)
+{
+    const std::string key = mapsKey(technique, parameters);
+    if (const auto found = m_maps.find(key); found != m_maps.end())
+        return &found->second;
+    const BakedMapRow* row = technique.accelerationMap.empty() ? nullptr : findBakedMap(technique.accelerationMap);
+    const auto start = std::chrono::steady_clock::now();
+    auto maps = m_freshMaps && row ? bakedAfresh(*row, parameters, m_heights, progress)
+                                   : searchMaps(technique.key, parameters, &m_heights, progress);
+    if (!maps)
+        return tl::unexpected(maps.error());
+    TimedMaps timed{std::move(*maps)};
+    if (row)
+        timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (timed.maps.acceleration)
+        timed.bytesPerTexel += double(timed.maps.acceleration->bytes()) / double(m_heights.texels().size());
+    if (technique.needsHeights())
+        timed.bytesPerTexel += m_heights.storedBits() <= 16 ? 2. : 4.;
+    return &m_maps.emplace(key, std::move(timed)).first->second;
+}
+
+Expected<std::vector<SweepRow>> RaySweep::measure(const SearchSetting& of, std::size_t setting, std::size_t field, const Progress& progress)
+{
+    const Progress quiet{{}, progress.stop};
+    const auto maps = mapsFor(*of.technique, of.parameters, quiet);
+    if (!maps)
+        return tl::unexpected(maps.error());
+    std::vector<SweepRow> rows;
+    for (std::size_t set = 0; set < m_sets.size(); ++set) {
+        const auto& [rays, pixels] = m_sets[set];
+        const auto hits = traceRays(of.technique->key, of.parameters, (*maps)->maps, atMesh(*of.technique, rays), quiet);
+        if (!hits)
+            return tl::unexpected(hits.error());
+        rows.push_back(
+            {setting, field, set, compareHits(m_heights, rays, *hits, m_exact[set], pixels), (*maps)->seconds, (*maps)->bytesPerTexel});
+    }
+    return rows;
+}
 
 Expected<std::vector<SweepRow>> sweep(const SweepPlan& plan, const Progress& progress)
 {
     std::vector<SweepRow> rows;
-    for (std::size_t field = 0; field < plan.fields.size(); ++field)
-        if (const auto done = FieldSweep(plan, field, progress, rows).run(); !done)
-            return tl::unexpected(done.error());
+    const double steps = double(plan.fields.size() * plan.settings.size());
+    for (std::size_t field = 0; field < plan.fields.size(); ++field) {
+        const auto& [key, label, heights, depth] = plan.fields[field];
+        std::vector<RaySet> bands;
+        for (const AngleBand band : plan.bands)
+            bands.push_back({bandRays(band, depth, plan.rays, plan.seed)});
+        auto sweep = RaySweep::create(heights, std::move(bands), plan.freshMaps, progress);
+        if (!sweep)
+            return tl::unexpected(sweep.error());
+        for (std::size_t i = 0; i < plan.settings.size(); ++i) {
+            SearchSetting setting = plan.settings[i];
+            setting.parameters.depth = float(depth);
+            const auto measured = sweep->measure(setting, i, field, progress);
+            if (!measured)
+                return tl::unexpected(measured.error());
+            rows.insert(rows.end(), measured->begin(), measured->end());
+            progress.at(float(double(field * plan.settings.size() + i + 1) / steps));
+        }
+    }
     return rows;
 }
 

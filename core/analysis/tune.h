@@ -24,12 +24,15 @@ struct Candidate {
     bool within = false;
 };
 
-// Candidates of a sweep over one field, cheapest first: by mean fetches, then by the most. error is the RMSE of t in the worst band.
-std::vector<Candidate> candidatesOf(std::span<const SweepRow> rows, std::size_t settings);
+// Candidates of a sweep over one field, cheapest first: by mean fetches, then by the most. error: that figure in the worst band.
+std::vector<Candidate> candidatesOf(std::span<const SweepRow> rows, std::size_t settings, double HitErrors::*error = &HitErrors::rmse);
 
 // Judges every candidate and returns the first that is within the budget, or nothing. With `errorOf` (pictures: slow) errors are asked for
 // in order until one candidate is found, and those after it keep a NaN.
 using ErrorOf = std::function<Expected<double>(std::size_t setting)>;
 Expected<const Candidate*> choose(std::vector<Candidate>& candidates, const TuneBudget& budget, const ErrorOf& errorOf = {});
+// Returns the one with the least error of those that miss and fetch no more than the budget allows, whatever its maxError; the cheapest of
+// equals. With `errorOf` all of them are asked for.
+Expected<const Candidate*> chooseLeast(std::vector<Candidate>& candidates, const TuneBudget& budget, const ErrorOf& errorOf = {});
 
 } // namespace relievo

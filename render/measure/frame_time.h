@@ -4,6 +4,7 @@
 #pragma once
 #include "core/ground/progress.h"
 #include "render/windowless.h"
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -14,10 +15,17 @@ struct TimedFrame {
     std::string_view view; // key of kViews
 };
 
-// Milliseconds of each frame: the median of `rounds` rounds, each of which draws all frames in turn, after one that warms up. By the
-// clock between glFinish calls. Needs a current context. Errors: those of Renderer::draw, cancelled.
+// How often frames are drawn. One that has taken `enough` in all is not drawn again: a long frame is as steady as the median of short ones.
+struct Rounds {
+    int most;
+    double enough = std::numeric_limits<double>::infinity(); // ms
+};
+
+// Milliseconds of each frame: the median of its rounds, each of which draws all frames in turn, after one that warms up what draws by
+// another program than the frame before. By the clock between glFinish calls. Needs a current context. Errors: those of Renderer::draw,
+// cancelled.
 Expected<std::vector<double>> frameTimes(Renderer& renderer, Resources& resources, std::span<const TimedFrame> frames, int width,
-    int height, int rounds, const Progress& progress = {});
+    int height, const Rounds& rounds, const Progress& progress = {});
 
 // The view that a search is timed in: "color", or "depth" where no colour map reads the place of the hit, because a driver leaves out a
 // search whose result nothing shows.

@@ -134,7 +134,7 @@ Expected<MeshSection> measureOnMesh(Renderer& renderer, const State& state, Reso
     std::vector<TimedFrame> frames;
     for (const Change& change : kChanges)
         frames.push_back({changed(view, change), knownView("shaded").key});
-    const auto times = frameTimes(renderer, resources, frames, width, height, 9, Progress{{}, progress.stop});
+    const auto times = frameTimes(renderer, resources, frames, width, height, {9}, Progress{{}, progress.stop});
     if (!times)
         return tl::unexpected(times.error());
     for (std::size_t k = 0; k < std::size(kChanges); ++k)

@@ -90,7 +90,7 @@ void measure(Renderer& renderer, const char* source)
         std::vector<TimedFrame> frames;
         for (const Timed& one : timed)
             frames.push_back({withSetting(view, one.setting), std::string(timedView(resources))});
-        const std::vector<double> times = orStop(frameTimes(renderer, resources, frames, 800, 600, 9));
+        const std::vector<double> times = orStop(frameTimes(renderer, resources, frames, 800, 600, {9}));
         std::printf("%s, %g degrees: cell cones %.1f ms, %.1f fetches, %.3f %% wrong\n", opened.state.name.c_str(), kPictureAngles[band],
             times[0], timed[0].fetches, 100. * timed[0].wrong);
         for (std::size_t i = 1; i < timed.size(); ++i)

@@ -2,9 +2,15 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/compare/compare_bar.h"
+#include "app/window/decide/decide_dock.h"
+#include "app/window/decide/distance_page.h"
+#include "app/window/decide/speed_page.h"
+#include "app/window/decide/speed_plot.h"
+#include "app/window/decide/tune_panel.h"
 #include "app/window/dialogs/engine_pictures.h"
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/dialogs/packing_editor.h"
+#include "app/window/docks.h"
 #include "app/window/document/editing.h"
 #include "app/window/document/files.h"
 #include "app/window/document/starting_scene.h"
@@ -37,12 +43,12 @@
 namespace {
 using namespace relievo;
 
-// Lets the window work until `done`, at most ten seconds, and a little longer so that the last picture is on the screen.
-void workUntil(const std::function<bool()>& done)
+// Lets the window work until `done`, at most that many milliseconds, and a little longer so that the last picture is on the screen.
+void workUntil(const std::function<bool()>& done, int limit = 10000)
 {
     QElapsedTimer clock;
     clock.start();
-    while (!done() && clock.elapsed() < 10000)
+    while (!done() && clock.elapsed() < limit)
         QApplication::processEvents(QEventLoop::AllEvents, 20);
     clock.restart();
     while (clock.elapsed() < 700)
@@ -70,8 +76,24 @@ void inspectRay(MainWindow& window, const char* first, const char* second)
     });
     workUntil([&] { return window.viewport().isSettled(); });
     window.action("ray-inspector")->trigger();
-    window.inspector().pick({0, {0.42f, 0.36f}, 1.f});
-    workUntil([&] { return !window.inspector().busy(); });
+    window.docks().inspector().pick({0, {0.42f, 0.36f}, 1.f});
+    workUntil([&] { return !window.docks().inspector().busy(); });
+}
+
+// The page of the dock that helps to decide, when it is filled.
+void decide(MainWindow& window, QWidget& page)
+{
+    window.action("speed-error")->trigger();
+    DecideDock& dock = window.docks().decide();
+    dock.showPage(page);
+    if (&page == &dock.tuning())
+        dock.tuning().find();
+    workUntil([&] { return !dock.speed().sweep().busy() && !dock.tuning().busy() && !dock.distance().busy(); }, 120000);
+    if (auto* plot = dock.speed().plot().findChild<QWidget*>(); plot && &page == &dock.speed() && !dock.speed().plot().front().empty()) {
+        const QPointF at = dock.speed().plot().placeOf(dock.speed().plot().front()[dock.speed().plot().front().size() / 2]);
+        QMouseEvent move(QEvent::MouseMove, at, plot->mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(plot, &move);
+    }
 }
 
 void twoPanes(MainWindow& window)
@@ -278,6 +300,15 @@ const Scene kScenes[] = {
     {"inspector", {1280, 800}, Look::Dark, [](MainWindow& window) { inspectRay(window, "relief", "cell-cone"); }},
     {"inspector-cones", {1280, 800}, Look::Light, [](MainWindow& window) { inspectRay(window, "cone", "sphere"); }},
     {"inspector-small", {800, 600}, Look::Dark, [](MainWindow& window) { inspectRay(window, "steep", "pyramid"); }},
+    {"speed", {1280, 800}, Look::Dark, [](MainWindow& window) { decide(window, window.docks().decide().speed()); }},
+    {"speed-light", {1280, 800}, Look::Light, [](MainWindow& window) { decide(window, window.docks().decide().speed()); }},
+    {"speed-small", {640, 480}, Look::Dark, [](MainWindow& window) { decide(window, window.docks().decide().speed()); }},
+    {"tune", {1280, 800}, Look::Dark, [](MainWindow& window) { decide(window, window.docks().decide().tuning()); }},
+    {"tune-light", {1280, 800}, Look::Light, [](MainWindow& window) { decide(window, window.docks().decide().tuning()); }},
+    {"tune-small", {640, 480}, Look::Light, [](MainWindow& window) { decide(window, window.docks().decide().tuning()); }},
+    {"distance", {1280, 800}, Look::Dark, [](MainWindow& window) { decide(window, window.docks().decide().distance()); }},
+    {"distance-light", {1280, 800}, Look::Light, [](MainWindow& window) { decide(window, window.docks().decide().distance()); }},
+    {"distance-small", {640, 480}, Look::Dark, [](MainWindow& window) { decide(window, window.docks().decide().distance()); }},
     {"palette", {1280, 800}, Look::Dark,
         [](MainWindow& window) {
             window.action("palette")->trigger();

@@ -191,7 +191,7 @@ TEST(FrameTimes, OnePositiveTimeAFrame)
     Bench bench("hard:bricks@64");
     const State view = bench.with("relief", 60.);
     const TimedFrame frames[] = {plainQuad(view), {view, "color"}};
-    const auto times = frameTimes(bench.renderer, bench.resources, frames, 64, 48, 3);
+    const auto times = frameTimes(bench.renderer, bench.resources, frames, 64, 48, {3});
     ASSERT_TRUE(times);
     ASSERT_EQ(times->size(), 2u);
     EXPECT_GT(times->front(), 0.);
@@ -205,5 +205,21 @@ TEST(FrameTimes, OnePositiveTimeAFrame)
     EXPECT_EQ(timedView(withoutColor), "depth") << "a driver leaves out a search that nothing shows";
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_FALSE(frameTimes(bench.renderer, bench.resources, frames, 64, 48, 3, {{}, stop.get_token()}));
+    EXPECT_FALSE(frameTimes(bench.renderer, bench.resources, frames, 64, 48, {3}, {{}, stop.get_token()}));
+}
+
+TEST(FrameTimes, DrawNoMoreOftenThanTheyNeed)
+{
+    Bench bench("hard:bricks@64");
+    const State relief = bench.with("relief", 60.);
+    State finer = relief;
+    finer.parameters.maxSteps = 64;
+    const TimedFrame frames[] = {{relief, "color"}, {finer, "color"}, {bench.with("cone", 60.), "color"}};
+    int drawn = 0;
+    const Progress count{[&](float) { ++drawn; }, {}};
+    ASSERT_TRUE(frameTimes(bench.renderer, bench.resources, frames, 64, 48, {50, 0.}, count));
+    EXPECT_EQ(drawn, 2 + 3) << "each program is warmed up once, each frame timed once";
+    drawn = 0;
+    ASSERT_TRUE(frameTimes(bench.renderer, bench.resources, frames, 64, 48, {4}, count));
+    EXPECT_EQ(drawn, 2 + 4 * 3);
 }

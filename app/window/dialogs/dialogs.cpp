@@ -72,17 +72,20 @@ void rememberSaved(const QString& file)
 }
 
 void askWhereToSave(
-    QWidget* parent, const QString& title, const QString& proposal, const QString& suffix, std::function<void(const QString&)> then)
+    QWidget* parent, const QString& title, const QString& proposal, const QStringList& suffixes, std::function<void(const QString&)> then)
 {
-    QFileDialog* dialog = chooser(parent, title, "save-" + suffix);
+    QFileDialog* dialog = chooser(parent, title, "save-" + suffixes.front());
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(suffix);
-    dialog->setNameFilters({QString("*.%1").arg(suffix)});
+    dialog->setDefaultSuffix(suffixes.front());
+    QStringList patterns;
+    for (const QString& suffix : suffixes)
+        patterns << "*." + suffix;
+    dialog->setNameFilters({patterns.join(' ')});
     dialog->selectFile(proposal);
-    QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, suffix, then = std::move(then)](const QString& file) {
-        if (QFileInfo(file).suffix().compare(suffix, Qt::CaseInsensitive) == 0)
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, suffixes, then = std::move(then)](const QString& file) {
+        if (suffixes.contains(QFileInfo(file).suffix(), Qt::CaseInsensitive))
             return then(file);
-        const QString whole = file + '.' + suffix; // the chooser takes the end of "bricks v1.2" for a suffix
+        const QString whole = file + '.' + suffixes.front(); // the chooser takes the end of "bricks v1.2" for a suffix
         if (QFileInfo::exists(whole))
             askToReplace(parent, whole, [then, whole] { then(whole); });
         else

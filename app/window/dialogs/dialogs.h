@@ -18,8 +18,9 @@ bool fits(FileKind kind, const QString& file);
 // Opens a chooser in the folder used last for the kind (of saving: rememberSaved); `then` is called with what was chosen, not at all when
 // nothing was.
 void askForFile(QWidget* parent, const QString& title, FileKind kind, std::function<void(const QString&)> then);
+// suffixes: the first where none is typed.
 void askWhereToSave(
-    QWidget* parent, const QString& title, const QString& proposal, const QString& suffix, std::function<void(const QString&)> then);
+    QWidget* parent, const QString& title, const QString& proposal, const QStringList& suffixes, std::function<void(const QString&)> then);
 // The folder of a file that could be written: the next one of its suffix is proposed there.
 void rememberSaved(const QString& file);
 // Asks whether what lies at `path` (a file, or files in a folder) may be replaced; `then` runs when it may.

@@ -157,7 +157,7 @@ void ExportForm::browse()
     if (m_target->suffix.empty())
         askForFile(this, tr("Export to folder"), FileKind::Folder, [this](const QString& folder) { setOut(folder); });
     else
-        askWhereToSave(this, tr("Export to"), m_out->text(), qt(m_target->suffix).mid(1), [this](const QString& file) {
+        askWhereToSave(this, tr("Export to"), m_out->text(), {qt(m_target->suffix).mid(1)}, [this](const QString& file) {
             setOut(file);
             Q_EMIT chosenInBox(QFileInfo(file).absoluteFilePath());
         });

@@ -75,7 +75,7 @@ void PackingEditor::showFault()
 void PackingEditor::save()
 {
     const QString proposal = m_file.endsWith(".json") ? m_file : "packing.json";
-    askWhereToSave(this, tr("Save the packing"), proposal, "json", [this](const QString& file) { saveTo(file); });
+    askWhereToSave(this, tr("Save the packing"), proposal, {"json"}, [this](const QString& file) { saveTo(file); });
 }
 
 bool PackingEditor::saveTo(const QString& file)

@@ -108,7 +108,7 @@ void Files::saveAs(std::function<void()> then)
 {
     commitTyping(m_window);
     const QString proposal = m_document.file().isEmpty() ? m_document.name() + ".relievo" : m_document.file();
-    askWhereToSave(m_window, tr("Save the project"), proposal, "relievo", [this, then](const QString& file) { saveTo(file, then); });
+    askWhereToSave(m_window, tr("Save the project"), proposal, {"relievo"}, [this, then](const QString& file) { saveTo(file, then); });
 }
 
 void Files::saveTo(const QString& file, const std::function<void()>& then)

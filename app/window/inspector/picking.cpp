@@ -59,7 +59,6 @@ void PickMarker::paintEvent(QPaintEvent*)
 
 void connectPicking(RayInspector& inspector, Viewport& viewport, Document& document)
 {
-    inspector.hide();
     auto* marker = new PickMarker(&viewport);
     const auto mark = [&inspector, &document, marker] { marker->show(inspector.isVisible() ? inspector.picked() : std::nullopt); };
     QObject::connect(&inspector, &RayInspector::pointChanged, marker, mark);

@@ -29,7 +29,7 @@ private:
     std::optional<PickedPoint> m_point;
 };
 
-// While the inspector is seen, a click in the viewport is what it looks at. It is hidden from now on.
+// While the inspector is seen, a click in the viewport is what it looks at.
 void connectPicking(RayInspector& inspector, Viewport& viewport, Document& document);
 
 } // namespace relievo

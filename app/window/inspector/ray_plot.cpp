@@ -34,36 +34,13 @@ RayPlot::RayPlot(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlot)
     m_plot->setNoAntialiasingOnDrag(true);
     m_plot->xAxis->setLabel(tr("texels along the ray"));
     m_plot->yAxis->setLabel(tr("height"));
-    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setLabelFont(smallFont());
-        axis->setTickLabelFont(smallFont());
-        axis->setSubTicks(false);
-    }
+    m_plot->xAxis->setSubTicks(false);
+    m_plot->yAxis->setSubTicks(false);
     m_plot->setAutoAddPlottableToLegend(false);
-    m_plot->legend->setFont(smallFont());
     m_plot->legend->setIconSize(10, 8);
     m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
     connect(m_plot, &QCustomPlot::mouseDoubleClick, this, &RayPlot::showAll);
-    applyColors();
-}
-
-void RayPlot::applyColors()
-{
-    const QPalette colors = palette();
-    m_plot->setBackground(field(colors));
-    QColor behind = field(colors);
-    behind.setAlpha(190);
-    m_plot->legend->setBrush(behind);
-    m_plot->legend->setBorderPen(QPen(lineColor(colors)));
-    m_plot->legend->setTextColor(colors.color(QPalette::Text));
-    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setBasePen(QPen(lineColor(colors)));
-        axis->setTickPen(QPen(lineColor(colors)));
-        axis->setTickLabelColor(dimText(colors));
-        axis->setLabelColor(dimText(colors));
-        axis->grid()->setPen(QPen(lineColor(colors), 1, Qt::DotLine));
-        axis->grid()->setZeroLinePen(Qt::NoPen);
-    }
+    applyLook(*m_plot, palette());
 }
 
 void RayPlot::changeEvent(QEvent* event)
@@ -71,7 +48,7 @@ void RayPlot::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() != QEvent::PaletteChange)
         return;
-    applyColors();
+    applyLook(*m_plot, palette());
     rebuild();
 }
 

@@ -39,7 +39,6 @@ private:
     void drawArea(const RayInspection& ray, const SearchStep& step, double heightBefore, const QColor& color);
     void drawSteps(const Shown& shown, const QColor& color, bool chosen);
     void drawExact(const RayInspection& ray);
-    void applyColors();
 
     QCustomPlot* m_plot;
     std::vector<Shown> m_rays;

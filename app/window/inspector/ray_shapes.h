@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "app/window/inspector/custom_plot.h"
+#include "app/window/widgets/custom_plot.h"
 #include "core/trace/recorded_steps.h"
 #include <QPolygonF>
 

@@ -1,6 +1,7 @@
 // The ray inspector in the window: a click shows each pane's search, and it follows the document.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/docks.h"
 #include "app/window/inspector/picking.h"
 #include "app/window/inspector/ray_inspector.h"
 #include "app/window/inspector/ray_plot.h"
@@ -19,7 +20,7 @@ using namespace relievo;
 namespace {
 class InspectorTest : public WindowTest {
 protected:
-    RayInspector& inspector() { return window.inspector(); }
+    RayInspector& inspector() { return window.docks().inspector(); }
     template <class Widget> Widget& part(const char* name) { return *inspector().findChild<Widget*>(name); }
     QTableWidget& table() { return part<QTableWidget>("steps"); }
     QString verdict() { return part<QLabel>("verdict").text(); }

@@ -10,3 +10,11 @@
 #undef signals
 #undef slots
 #undef foreach
+#include <QPalette>
+
+namespace relievo {
+
+// Axes, grid, legend and fonts as the window has them; again when the palette changes.
+void applyLook(QCustomPlot& plot, const QPalette& colors);
+
+} // namespace relievo
