@@ -38,8 +38,10 @@ enum class Action {
     LightTheme,
     Panels,
     RayInspector,
+    WorstPoint,
     SpeedAndError,
     Palette,
+    Manual,
     Shortcuts,
     About,
 };

@@ -120,6 +120,7 @@ Expected<ViewNumbers> Renderer::measureView(const DrawRequest& asked)
     ErrorNumbers& error = numbers.error;
     std::vector<float> values;
     double all = 0.;
+    float most = 0.f;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const float* pixel = &m->pixels[(std::size_t(height - 1 - y) * std::size_t(width) + std::size_t(x)) * 4];
@@ -132,6 +133,8 @@ Expected<ViewNumbers> Renderer::measureView(const DrawRequest& asked)
                 continue;
             }
             const float off = isMissed ? 1.f : pixel[0];
+            if (values.empty() || off > most)
+                most = off, numbers.mostAt = {(float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height)};
             values.push_back(off);
             error.rmse += double(off) * double(off), error.wrong += off > view.wrongFrom;
         }

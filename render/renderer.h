@@ -6,6 +6,7 @@
 #include "render/draw_request.h"
 #include "render/gl/framebuffer.h"
 #include <array>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 
@@ -26,6 +27,7 @@ struct ErrorNumbers {
 struct ViewNumbers {
     HeatNumbers heat;
     ErrorNumbers error; // of views against the exact answer
+    glm::vec2 mostAt{0.5f}; // the pixel that shows most, share of the picture from its upper left corner
 };
 
 // Averages over the pixels that the mesh covers.

@@ -7,13 +7,16 @@
 #include "app/window/compare/loupe.h"
 #include "app/window/decide/measuring_run.h"
 #include "app/window/dialogs/export_dialog.h"
+#include "app/window/dialogs/manual.h"
 #include "app/window/docks.h"
 #include "app/window/document/files.h"
+#include "app/window/inspector/ray_inspector.h"
 #include "app/window/main_window.h"
 #include "app/window/palette/command_palette.h"
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
+#include <QAction>
 #include <QUndoStack>
 
 namespace relievo {
@@ -58,6 +61,20 @@ void runFile(MainWindow& window, Action action)
         return files.saveAs();
     }
 }
+// In a pane that is not shown, and where nothing is wrong, there is nothing to inspect.
+void inspectWorst(MainWindow& window)
+{
+    const std::size_t pane = activePane(window);
+    const PaneArea area = window.viewport().places().areas()[pane];
+    const auto worst = area.isEmpty() ? std::nullopt : window.viewport().worstPoint(pane);
+    if (!worst)
+        return window.messages().set("worst", QList<Message>{{.text = QObject::tr("No point of this picture is wrong."), .isNote = true}});
+    window.messages().clear("worst");
+    if (QAction* inspector = window.action("ray-inspector"); !inspector->isChecked())
+        inspector->trigger();
+    window.docks().inspector().pick({pane, *worst, area.aspect()});
+}
+
 } // namespace
 
 // A case for each row of kActions: one that is missing does not compile.
@@ -116,8 +133,12 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::RayInspector:
     case Action::SpeedAndError:
         return window.docks().show(action, on);
+    case Action::WorstPoint:
+        return inspectWorst(window);
     case Action::Palette:
         return showPalette(window);
+    case Action::Manual:
+        return showManual(&window);
     case Action::Shortcuts:
         return showShortcuts(&window);
     case Action::About:

@@ -3,8 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/window_support.h"
 #include <QFileDialog>
+#include <QListWidget>
 #include <QMenu>
 #include <QScreen>
+#include <QTextBrowser>
 
 using namespace relievo;
 
@@ -111,4 +113,25 @@ TEST_F(KeysTest, ManyMessagesAreScrolled)
     window.messages().set("test", Warnings{{"a", "One."}});
     EXPECT_TRUE(waitFor([&] { return window.messageLine().height() < 90; }, 5000)) << "no higher than what there is";
     window.messages().clear("test");
+}
+
+// The pages are embedded, and lead to each other.
+TEST_F(KeysTest, TheManualIsReadInTheWindow)
+{
+    window.action("manual")->trigger();
+    auto* manual = window.findChild<QDialog*>("manual");
+    ASSERT_NE(manual, nullptr);
+    auto* text = manual->findChild<QTextBrowser*>();
+    auto* pages = manual->findChild<QListWidget*>();
+    for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentRow(page);
+        EXPECT_GT(text->toPlainText().size(), 1000) << pages->currentItem()->text().toStdString();
+    }
+    pages->setCurrentRow(0);
+    Q_EMIT text->anchorClicked(QUrl("deciding.md"));
+    EXPECT_EQ(pages->currentRow(), 1);
+    EXPECT_TRUE(text->toPlainText().startsWith("Deciding"));
+    window.action("manual")->trigger();
+    EXPECT_EQ(window.findChildren<QDialog*>("manual").size(), 1) << "one is enough";
+    manual->close();
 }

@@ -1,7 +1,9 @@
 // How fluid the picture is in a real window: frames a second while orbiting, and the time from rest to the full picture.
-// Usage: viewport_bench [WIDTHxHEIGHT] [SHAPE] [TECHNIQUE]
+// the longest turn of the event loop at rest and while a cone map of 2048 texels is baked.
+// Usage: viewport_bench [WIDTHxHEIGHT] [SHAPE] [TECHNIQUE] [PANES]
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/document/editing.h"
 #include "app/window/document/files.h"
 #include "app/window/main_window.h"
 #include "app/window/viewport/viewport.h"
@@ -33,6 +35,19 @@ void mouse(QWidget& widget, QEvent::Type type, QPointF at)
     const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
     QMouseEvent event(type, at, widget.mapToGlobal(at), button, buttons, Qt::NoModifier);
     QApplication::sendEvent(&widget, &event);
+}
+
+// ms, until `done` or two minutes are over.
+double longestTurn(const std::function<bool()>& done)
+{
+    double longest = 0.;
+    QElapsedTimer whole, turn;
+    for (whole.start(); !done() && whole.elapsed() < 120000;) {
+        turn.start();
+        QApplication::processEvents(QEventLoop::AllEvents, 1);
+        longest = std::max(longest, double(turn.nsecsElapsed()) * 1e-6);
+    }
+    return longest;
 }
 
 double median(std::vector<double> values)
@@ -97,6 +112,7 @@ int main(int argc, char** argv)
     State state;
     state.mesh = arguments.value(2, "sphere").toStdString();
     state.panes[0].technique = arguments.value(3, "relief").toStdString();
+    setPaneCount(state, std::size_t(std::max(1, arguments.value(4, "1").toInt())));
     window.assets().openDocument("sample:bricks", state);
     if (!workUntil([&] { return window.assets().ready() && window.viewport().isSettled(); })) {
         std::fprintf(stderr, "the window shows no picture\n");
@@ -111,5 +127,12 @@ int main(int argc, char** argv)
             result.framesPerSecond, result.slowest, result.scale, result.toFull);
         workUntil([&] { return window.viewport().isSettled(); });
     }
+    window.document().edit("Light", [](State& s) { s.parameters.lightYaw += 20.f; });
+    std::printf("at rest: longest turn of the event loop %.0f ms\n", longestTurn([&] { return window.viewport().isSettled(); }));
+    window.assets().openDocument("sample:bricks@2048", state);
+    workUntil([&] { return window.assets().ready() && window.viewport().isSettled(); });
+    window.setTechnique("cone-relaxed");
+    std::printf("while a cone map of 2048 x 2048 is baked: longest turn %.0f ms\n",
+        longestTurn([&] { return !window.assets().background().busy() && window.viewport().isSettled(); }));
     return 0;
 }

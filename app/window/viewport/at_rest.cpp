@@ -4,6 +4,7 @@
 #include "app/window/viewport/at_rest.h"
 #include "app/window/compare/pane_places.h"
 #include <QOpenGLWidget>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -17,31 +18,51 @@ AtRest::AtRest(std::function<ShownScene()> scene, PanePlaces& places, QOpenGLWid
     , m_places(places)
     , m_viewport(viewport)
 {
-    for (QTimer* timer : {&m_measuring, &m_smoothing})
+    for (QTimer* timer : {&m_filling, &m_measuring, &m_smoothing})
         timer->setSingleShot(true);
+    connect(&m_filling, &QTimer::timeout, this, &AtRest::fill);
     connect(&m_measuring, &QTimer::timeout, this, &AtRest::measure);
     connect(&m_smoothing, &QTimer::timeout, this, &AtRest::smooth);
 }
 
-void AtRest::start(PanePictures& pictures)
+void AtRest::start(PanePictures& pictures, bool isFull)
 {
     m_pictures = &pictures;
-    m_measuring.start(kMeasureDelay);
+    m_counting.clear();
+    isFull ? m_measuring.start(kMeasureDelay) : m_filling.start(0);
 }
 
 void AtRest::stop()
 {
+    m_filling.stop();
     m_measuring.stop();
     m_smoothing.stop();
 }
 
-// Counts the fetches of what is shown, then smooths the edges.
-void AtRest::measure()
+void AtRest::fill()
 {
     m_viewport->makeCurrent();
-    m_measured = m_pictures->measure(m_scene(), m_places.areas());
-    m_places.compare(*m_pictures);
+    const bool isWhole = m_pictures->fillSlice(m_scene(), m_places.areas(), kSlice);
     m_viewport->doneCurrent();
+    if (!isWhole)
+        return m_filling.start(0);
+    Q_EMIT filled();
+}
+
+// Counts the fetches of what is shown, pane by pane, then smooths the edges.
+void AtRest::measure()
+{
+    const std::vector<PaneArea> areas = m_places.areas();
+    m_viewport->makeCurrent();
+    if (m_counting.size() < areas.size())
+        m_counting.push_back(m_pictures->measure(m_scene(), m_counting.size(), areas[m_counting.size()]));
+    const bool isWhole = m_counting.size() >= areas.size();
+    if (isWhole)
+        m_places.compare(*m_pictures);
+    m_viewport->doneCurrent();
+    if (!isWhole)
+        return m_measuring.start(0);
+    m_measured = std::exchange(m_counting, {});
     m_samples.begin();
     m_smoothing.start(0);
     Q_EMIT counted();

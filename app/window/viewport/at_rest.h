@@ -1,4 +1,4 @@
-// What is done while the picture rests: fetches counted, edges smoothed slice by slice, errors measured.
+// What is done while the picture rests: drawn in full and its edges smoothed, slice by slice; fetches counted, errors measured.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -22,19 +22,21 @@ class AtRest : public QObject {
 public:
     AtRest(std::function<ShownScene()> scene, PanePlaces& places, QOpenGLWidget* viewport);
 
-    void start(PanePictures& pictures); // soon; they are drawn in full
+    void start(PanePictures& pictures, bool isFull); // soon; isFull: they are drawn in full resolution already
     void stop(); // they change
-    bool isActive() const { return m_measuring.isActive() || m_smoothing.isActive(); }
+    bool isActive() const { return m_filling.isActive() || m_measuring.isActive() || m_smoothing.isActive(); }
     const std::vector<std::optional<Measurement>>& measured() const { return m_measured; } // of the panes
     void forget() { m_measured.clear(); } // it was of other pictures
     const SamplesAtRest& samples() const { return m_samples; }
     void want(int samples) { m_samples.want(samples); }
 
 Q_SIGNALS:
+    void filled(); // the pictures have full resolution; nothing more is done until they are started so
     void counted(); // measured() is of what is shown
     void smoothed(); // what is shown is smoother
 
 private:
+    void fill();
     void measure();
     void smooth();
     std::function<ShownScene()> m_scene;
@@ -42,8 +44,8 @@ private:
     QOpenGLWidget* m_viewport;
     PanePictures* m_pictures = nullptr;
     SamplesAtRest m_samples;
-    QTimer m_measuring, m_smoothing;
-    std::vector<std::optional<Measurement>> m_measured;
+    QTimer m_filling, m_measuring, m_smoothing;
+    std::vector<std::optional<Measurement>> m_measured, m_counting; // the second as far as it is
 };
 
 } // namespace relievo

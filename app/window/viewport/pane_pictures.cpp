@@ -33,7 +33,7 @@ PanePictures::Picture& PanePictures::picture(std::size_t pane)
 
 Expected<void> PanePictures::draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale)
 {
-    Framebuffer& drawn = picture(pane).drawn;
+    Framebuffer& drawn = *picture(pane).drawn;
     drawn.resize(scaled(area.width, scale), scaled(area.height, scale));
     DrawRequest request(scene.state, pane, scene.resources,
         {.framebuffer = drawn.handle(),
@@ -65,43 +65,62 @@ std::vector<Error> PanePictures::draw(const ShownScene& scene, const std::vector
     return troubles;
 }
 
-bool PanePictures::drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows)
+bool PanePictures::drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows, glm::vec2 jitter)
 {
-    own.sampled.resize(area.width, area.height);
-    const DrawRequest request(scene.state, m_slices.pane, scene.resources,
-        {.framebuffer = own.sampled.handle(),
+    (void)own.sampled->resize(area.width, area.height); // drawing tells
+    DrawRequest request(scene.state, m_slices.pane, scene.resources,
+        {.framebuffer = own.sampled->handle(),
             .width = area.width,
             .height = area.height,
             .lineWidth = float(std::max(1., scene.pixelRatio)),
-            .jitter = own.mean.nextShift(),
+            .jitter = jitter,
             .firstRow = m_slices.row,
             .rows = rows});
+    if (scene.reference.isShown(m_slices.pane))
+        request.compareWith(scene.reference.exactOf(m_slices.pane));
     const bool drawn = m_renderer.draw(request).has_value();
     finishDrawing();
     return drawn;
 }
 
-bool PanePictures::addSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms)
+PanePictures::Slice PanePictures::nextSlice(const ShownScene& scene, const PaneArea& area, double ms, bool wanted, bool shifted)
 {
-    const std::size_t pane = m_slices.pane;
-    const PaneArea& area = areas[pane];
-    Picture& own = picture(pane);
+    Picture& own = picture(m_slices.pane);
     const int rows = std::clamp(int(ms * m_slices.rowsPerMs), 1, std::max(area.height - m_slices.row, 1));
     QElapsedTimer clock;
     clock.start();
-    const bool goesOn = !area.isEmpty() && !scene.reference.isShown(pane) && drawSlice(scene, area, own, rows);
+    if (area.isEmpty() || !wanted || !drawSlice(scene, area, own, rows, shifted ? own.mean.nextShift() : glm::vec2(0.f)))
+        return {true, false};
     m_slices.row += rows;
-    if (goesOn)
-        m_slices.rowsPerMs = rows / std::max(0.01, double(clock.nsecsElapsed()) * 1e-6);
-    if (goesOn && m_slices.row < area.height)
+    m_slices.rowsPerMs = rows / std::max(0.01, double(clock.nsecsElapsed()) * 1e-6);
+    return {m_slices.row >= area.height, true};
+}
+
+bool PanePictures::nextPane(const std::vector<PaneArea>& areas)
+{
+    m_slices.row = 0;
+    m_slices.pane = m_slices.pane + 1 < areas.size() ? m_slices.pane + 1 : 0;
+    return m_slices.pane == 0;
+}
+
+bool PanePictures::fillSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms)
+{
+    const Slice slice = nextSlice(scene, areas[m_slices.pane], ms, true, false);
+    if (!slice.isWhole)
         return false;
-    if (goesOn)
-        own.mean.add(own.sampled);
-    m_slices.row = 0, ++m_slices.pane;
-    if (m_slices.pane < areas.size())
+    if (slice.isDrawn)
+        std::swap(picture(m_slices.pane).drawn, picture(m_slices.pane).sampled);
+    return nextPane(areas);
+}
+
+bool PanePictures::addSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms)
+{
+    const Slice slice = nextSlice(scene, areas[m_slices.pane], ms, !scene.reference.isShown(m_slices.pane), true);
+    if (!slice.isWhole)
         return false;
-    m_slices.pane = 0;
-    return true;
+    if (slice.isDrawn)
+        picture(m_slices.pane).mean.add(*picture(m_slices.pane).sampled);
+    return nextPane(areas);
 }
 
 int PanePictures::samples() const
@@ -126,7 +145,7 @@ void PanePictures::show(unsigned framebuffer, const Arrangement& arrangement, in
         if (own.mean.count() > 0)
             own.mean.copyTo(framebuffer, to);
         else
-            copyTo(own.drawn, framebuffer, to);
+            copyTo(*own.drawn, framebuffer, to);
     }
 }
 
@@ -134,7 +153,7 @@ void PanePictures::compose(unsigned framebuffer, const Arrangement& arrangement,
 {
     const auto textureOf = [this](std::size_t pane) {
         Picture& own = picture(pane);
-        return own.mean.count() > 0 ? own.mean.texture() : own.drawn.texture();
+        return own.mean.count() > 0 ? own.mean.texture() : own.drawn->texture();
     };
     const auto put = [&](std::size_t at, unsigned first, unsigned second, const Composition& composition) {
         const PaneArea& to = arrangement.areas[at];
@@ -154,48 +173,52 @@ void PanePictures::compose(unsigned framebuffer, const Arrangement& arrangement,
 Image PanePictures::pixels(std::size_t pane)
 {
     const Picture& own = picture(pane);
-    return pixels(pane, {0, 0, own.drawn.width(), own.drawn.height()});
+    return pixels(pane, {0, 0, own.drawn->width(), own.drawn->height()});
 }
 
 Image PanePictures::around(std::size_t pane, glm::vec2 share, int radius)
 {
     const Picture& own = picture(pane);
-    const int x = int(std::floor(share.x * float(own.drawn.width()))), y = int(std::floor(share.y * float(own.drawn.height())));
+    const int x = int(std::floor(share.x * float(own.drawn->width()))), y = int(std::floor(share.y * float(own.drawn->height())));
     return pixels(pane, {x - radius, y - radius, 2 * radius + 1, 2 * radius + 1});
 }
 
 Image PanePictures::pixels(std::size_t pane, const PaneArea& of)
 {
     Picture& own = picture(pane);
-    return own.mean.count() > 0 ? readPixels(own.mean.framebuffer(), own.drawn.width(), own.drawn.height(), of)
-                                : readPixels(own.drawn.handle(), own.drawn.width(), own.drawn.height(), of);
+    return own.mean.count() > 0 ? readPixels(own.mean.framebuffer(), own.drawn->width(), own.drawn->height(), of)
+                                : readPixels(own.drawn->handle(), own.drawn->width(), own.drawn->height(), of);
 }
 
 // Of heat views; of errors against the displaced mesh when that has been traced.
-std::optional<ViewNumbers> PanePictures::numbersOf(const ShownScene& scene, std::size_t pane, const PaneArea& area)
+std::optional<ViewNumbers> PanePictures::numbersOf(const ShownScene& scene, std::size_t pane, const PaneArea& area, const ViewRow& view)
 {
-    const ViewRow* view = findView(scene.state.panes[pane].view);
-    if (!view || !view->isHeat)
-        return {};
-    const double scale = scene.reference.isShown(pane) ? 1. : std::min(1., double(kMeasuredWidth) / area.width);
-    DrawRequest request(scene.state, pane, scene.resources, {.width = scaled(area.width, scale), .height = scaled(area.height, scale)});
-    if (scene.reference.isShown(pane) && !request.compareWith(scene.reference.exactOf(pane)))
+    const bool isTraced = scene.reference.isShown(pane) && !view.fileOnMesh.empty();
+    const double scale = isTraced ? 1. : std::min(1., double(kMeasuredWidth) / area.width);
+    DrawRequest request(
+        scene.state, pane, scene.resources, {.width = scaled(area.width, scale), .height = scaled(area.height, scale)}, view.key);
+    if (isTraced && !request.compareWith(scene.reference.exactOf(pane)))
         return {};
     const auto numbers = m_renderer.measureView(request);
     return numbers ? std::optional(*numbers) : std::nullopt;
 }
 
-std::vector<std::optional<Measurement>> PanePictures::measure(const ShownScene& scene, const std::vector<PaneArea>& areas)
+std::optional<glm::vec2> PanePictures::worst(const ShownScene& scene, std::size_t pane, const PaneArea& area)
 {
-    std::vector<std::optional<Measurement>> measured(areas.size());
-    for (std::size_t pane = 0; pane < areas.size(); ++pane)
-        if (areas[pane].isEmpty())
-            continue;
-        else if (const auto counted = m_renderer.measure(scene.state, pane, scene.resources, areas[pane].aspect())) {
-            measured[pane] = *counted;
-            measured[pane]->shown = numbersOf(scene, pane, areas[pane]);
-        }
-    return measured;
+    const auto numbers = numbersOf(scene, pane, area, knownView("error"));
+    return numbers && numbers->heat.most > 0. ? std::optional(numbers->mostAt) : std::nullopt;
+}
+
+std::optional<Measurement> PanePictures::measure(const ShownScene& scene, std::size_t pane, const PaneArea& area)
+{
+    if (area.isEmpty())
+        return {};
+    auto measured = m_renderer.measure(scene.state, pane, scene.resources, area.aspect());
+    if (!measured)
+        return {};
+    if (const ViewRow* view = findView(scene.state.panes[pane].view); view && view->isHeat)
+        measured->shown = numbersOf(scene, pane, area, *view);
+    return *measured;
 }
 
 QImage PanePictures::sheet(const ShownScene& scene, const std::vector<PaneArea>& areas, int samples)

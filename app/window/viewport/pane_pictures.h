@@ -9,6 +9,7 @@
 #include "render/renderer.h"
 #include <QImage>
 #include <list>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 namespace relievo {
 
 class MeshReference;
+struct ViewRow;
 
 // What the panes show. Refers to values of others.
 struct ShownScene {
@@ -38,8 +40,11 @@ class PanePictures {
 public:
     // A new picture of each pane at a share of its full resolution along each side; averaging begins anew. Says what could not be drawn.
     std::vector<Error> draw(const ShownScene& scene, const std::vector<PaneArea>& areas, double scale);
-    // A slice more of the next picture, shifted below a pixel, for the mean of each pane at full resolution; not where it is compared with
-    // an exact answer, which is of the unshifted picture. A slice takes about `ms`. Whether it was the last one of the last pane's picture.
+    // A slice more of the picture of each pane in full resolution, to take the place of a coarser one; about `ms` long. Whether it was the
+    // last one of the last pane.
+    bool fillSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms);
+    // The same of the next picture, shifted below a pixel, for the mean of each pane; not where it is compared with an exact answer, which
+    // is of the unshifted picture.
     bool addSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms);
     int samples() const; // averaged in what is shown, of the pane that has most; 0: as the pixels fall
 
@@ -52,8 +57,10 @@ public:
     // The pixel at a share from the upper left corner, and so many around it.
     Image around(std::size_t pane, glm::vec2 share, int radius);
 
-    // Counts the fetches of each pane, and measures what heat views show; nothing for one that is not drawn.
-    std::vector<std::optional<Measurement>> measure(const ShownScene& scene, const std::vector<PaneArea>& areas);
+    // Counts the fetches of a pane, and measures what a heat view shows; nothing for one that is not drawn.
+    std::optional<Measurement> measure(const ShownScene& scene, std::size_t pane, const PaneArea& area);
+    // Where the pane's search is most wrong, a share of the picture from its upper left corner; nothing where nothing is.
+    std::optional<glm::vec2> worst(const ShownScene& scene, std::size_t pane, const PaneArea& area);
     // All panes in full resolution, `samples` pictures averaged in each; null when one of them cannot be drawn.
     QImage sheet(const ShownScene& scene, const std::vector<PaneArea>& areas, int samples);
 
@@ -61,7 +68,8 @@ public:
 
 private:
     struct Picture {
-        Framebuffer drawn, sampled; // `sampled` is drawn slice by slice
+        std::unique_ptr<Framebuffer> drawn = std::make_unique<Framebuffer>();
+        std::unique_ptr<Framebuffer> sampled = std::make_unique<Framebuffer>(); // drawn slice by slice
         Smoother mean;
     };
     struct Slices {
@@ -72,8 +80,14 @@ private:
     Picture& picture(std::size_t pane);
     void compose(unsigned framebuffer, const Arrangement& arrangement, int height);
     Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale);
-    bool drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows);
-    std::optional<ViewNumbers> numbersOf(const ShownScene& scene, std::size_t pane, const PaneArea& area);
+    bool drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows, glm::vec2 jitter);
+    // The next slice of the pane at hand, where `wanted`. Whether that pane's picture is whole, and whether it was drawn.
+    struct Slice {
+        bool isWhole, isDrawn;
+    };
+    Slice nextSlice(const ShownScene& scene, const PaneArea& area, double ms, bool wanted, bool shifted);
+    bool nextPane(const std::vector<PaneArea>& areas); // whether it was the last
+    std::optional<ViewNumbers> numbersOf(const ShownScene& scene, std::size_t pane, const PaneArea& area, const ViewRow& view);
     Renderer m_renderer;
     Composer m_composer;
     Slices m_slices;

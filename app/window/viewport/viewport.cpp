@@ -50,6 +50,12 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     connect(&assets, &Assets::earlyChanged, this, [this] { refresh(m_assets.drawsEarly()); });
     connect(m_reference, &MeshReference::progressed, this, &Viewport::updateOverlays);
     connect(m_reference, &MeshReference::made, this, [this] { refresh(false); });
+    connect(m_atRest, &AtRest::filled, this, [this] {
+        m_shownScale = 1.;
+        update();
+        if (m_assets.ready())
+            m_atRest->start(*m_pictures, true);
+    });
     connect(m_atRest, &AtRest::counted, this, [this] { updateOverlays(), m_reference->want(areas()); });
     connect(m_atRest, &AtRest::smoothed, this, qOverload<>(&Viewport::update));
     connect(m_places, &PanePlaces::arranged, this, [this] { refresh(false), updateOverlays(); });
@@ -138,7 +144,7 @@ void Viewport::paintGL()
     if (!m_pictures || !m_assets.drawnResources().mesh)
         return clearTo(defaultFramebufferObject(), 0.2f, 0.2f, 0.2f);
     if (m_stale)
-        drawPanes(m_moving ? m_pacer.scale() : 1.);
+        drawPanes(m_pacer.scale()); // in full where that is quick enough, else by slices at rest
     m_pictures->show(defaultFramebufferObject(), m_places->arrangement(), std::max(1, int(std::lround(height() * devicePixelRatioF()))));
     Q_EMIT painted(m_shownScale >= 1.);
 }
@@ -155,8 +161,8 @@ void Viewport::drawPanes(double scale)
     m_stale = false;
     m_shownScale = scale;
     QTimer::singleShot(0, this, [this, troubles] { drawn(troubles); }); // what hears of it may change the layout: not while painting
-    if (scale >= 1. && m_assets.ready() && std::size_t(troubles.size()) < paneCount()) // one that cannot be drawn does not stop the others
-        m_atRest->start(*m_pictures);
+    if (!m_moving && (m_assets.ready() || scale < 1.) && std::size_t(troubles.size()) < paneCount()) // one does not stop the others
+        m_atRest->start(*m_pictures, scale >= 1.);
 }
 
 void Viewport::drawn(const QList<Message>& troubles)
@@ -176,6 +182,15 @@ Image Viewport::pixelsAround(std::size_t pane, glm::vec2 share, int radius)
     makeCurrent();
     const auto done = qScopeGuard([this] { doneCurrent(); });
     return m_pictures->around(pane, share, radius);
+}
+
+std::optional<glm::vec2> Viewport::worstPoint(std::size_t pane)
+{
+    if (!m_pictures || !m_assets.ready())
+        return {};
+    makeCurrent();
+    const auto done = qScopeGuard([this] { doneCurrent(); });
+    return m_pictures->worst(scene(), pane, areas()[pane]);
 }
 
 QImage Viewport::picture()

@@ -13,6 +13,7 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace relievo {
@@ -36,6 +37,8 @@ public:
     double shownScale() const { return m_shownScale; }
     const MeshReference& reference() const { return *m_reference; }
     PanePlaces& places() const { return *m_places; }
+    // Where the pane is most wrong against the exact search; nothing where it is not.
+    std::optional<glm::vec2> worstPoint(std::size_t pane);
     // So many pixels of the pane's picture around one, as they are shown; see PanePictures::around.
     Image pixelsAround(std::size_t pane, glm::vec2 share, int radius);
 
