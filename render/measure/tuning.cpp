@@ -34,7 +34,7 @@ std::vector<TunedView> viewsOf(TuneViews views, const State& state, const Resour
         TunedView view{{}, seen};
         if (views == TuneViews::Around) {
             view.state.camera.yaw = std::remainder(seen.camera.yaw + 360.f * float(i) / kTurns, 360.f);
-            view.name = std::to_string(std::lround(view.state.camera.yaw)) + " deg";
+            view.name = std::to_string(std::lround(view.state.camera.yaw)) + "\u00b0";
         } else {
             view.state.parameters.time = length * float(i) / kTurns;
             view.name = std::to_string(std::lround(100. * i / kTurns)) + " %";

@@ -42,7 +42,7 @@ struct TuneQuestion {
 
 struct Tuned {
     std::vector<SearchSetting> settings;
-    std::vector<std::string> views; // "60-80", "45 deg"; what the rows call bands
+    std::vector<std::string> views; // "60-80", "45\u00b0"; what the rows call bands
     std::vector<SweepRow> rows;
     std::vector<Candidate> candidates; // cheapest first
     std::optional<std::size_t> chosen; // of the candidates

@@ -9,14 +9,13 @@
 #include "app/window/widgets/segmented.h"
 #include "app/window/widgets/theme.h"
 #include <QLabel>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace relievo {
 namespace {
-constexpr int kHeight = 280, kNarrow = 520; // px
+constexpr int kHeight = 280, kLeastHeight = 200, kNarrow = 520; // px
 } // namespace
 
 DecideDock::DecideDock(Document& document, Assets& assets, const Viewport& viewport, QWidget* parent)
@@ -53,11 +52,14 @@ DecideDock::DecideDock(Document& document, Assets& assets, const Viewport& viewp
     layout->setSpacing(kGrid);
     layout->addWidget(hairline());
     layout->addLayout(head);
-    auto* room = new QScrollArea; // in a narrow window
-    room->setWidgetResizable(true);
-    room->setWidget(m_pages);
-    layout->addWidget(room, 1);
-    setFixedHeight(kHeight);
+    layout->addWidget(m_pages, 1);
+    setMinimumHeight(kLeastHeight);
+    setMaximumHeight(kHeight);
+}
+
+QSize DecideDock::sizeHint() const
+{
+    return {QWidget::sizeHint().width(), kHeight};
 }
 
 void DecideDock::showPage(QWidget& page)

@@ -25,6 +25,7 @@ public:
     TunePanel& tuning() { return *m_tune; }
     DistancePage& distance() { return *m_distance; }
     void showPage(QWidget& page); // one of these
+    QSize sizeHint() const override;
 
 Q_SIGNALS:
     void closed();

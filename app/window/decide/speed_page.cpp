@@ -14,6 +14,8 @@
 
 namespace relievo {
 namespace {
+constexpr int kNarrow = 360; // px
+
 template <class Rows> Segmented* axis(const Rows& rows, const char* name)
 {
     QVector<Segmented::Item> items;
@@ -50,19 +52,19 @@ SpeedPage::SpeedPage(Document& document, const Assets& assets, const Viewport& v
     , m_cost(axis(kCostFigures, "cost"))
     , m_error(axis(kErrorFigures, "error"))
     , m_line(new ElidedLabel)
+    , m_head(new QBoxLayout(QBoxLayout::LeftToRight))
     , m_plot(new SpeedPlot)
 {
     m_line->setObjectName("line");
     setRole(*m_line, "dim");
-    auto* head = new QHBoxLayout;
-    head->setSpacing(2 * kGrid);
-    head->addWidget(m_cost);
-    head->addWidget(m_error);
-    head->addWidget(m_line, 1);
+    m_head->setSpacing(2 * kGrid);
+    m_head->addWidget(m_cost, 0, Qt::AlignLeft);
+    m_head->addWidget(m_error, 0, Qt::AlignLeft);
+    m_head->addWidget(m_line, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kGrid);
-    layout->addLayout(head);
+    layout->addLayout(m_head);
     layout->addWidget(m_plot, 1);
     connect(&m_sweep, &LiveSweep::changed, this, &SpeedPage::refresh);
     connect(m_cost, &Segmented::chosen, this, &SpeedPage::refresh);
@@ -75,6 +77,12 @@ void SpeedPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     m_sweep.run(true);
+}
+
+void SpeedPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_head->setDirection(width() < kNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void SpeedPage::hideEvent(QHideEvent* event)
@@ -96,9 +104,9 @@ void SpeedPage::say(int point)
         return m_line->setFullText(m_sweep.note().isEmpty() ? rest : m_sweep.note());
     }
     const MeasuredSetting& at = m_sweep.points()[std::size_t(point)];
-    QString text = tr("%1: %2 fetches, %3 bytes; depth off by %4 %, wrong %5 %, %6 pixels")
-                       .arg(qt(at.setting.label), number(at.errors.meanFetches), number(at.errors.meanBytes), number(100. * at.errors.rmse),
-                           number(100. * at.errors.wrongShare()), number(at.errors.rmsePixels));
+    const QString text = tr("%1 fetches, %2 B; depth %3 %, wrong %4 %, %5 px")
+                             .arg(number(at.errors.meanFetches), number(at.errors.meanBytes), number(100. * at.errors.rmse),
+                                 number(100. * at.errors.wrongShare()), number(at.errors.rmsePixels));
     m_line->setFullText(at.isCoarse ? tr("%1 (coarse)").arg(text) : text);
 }
 

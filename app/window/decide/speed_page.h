@@ -5,6 +5,8 @@
 #include "app/window/decide/live_sweep.h"
 #include <QWidget>
 
+class QBoxLayout;
+
 namespace relievo {
 
 class ElidedLabel;
@@ -22,6 +24,7 @@ public:
 protected:
     void showEvent(QShowEvent*) override;
     void hideEvent(QHideEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
 
 private:
     void refresh();
@@ -32,6 +35,7 @@ private:
     LiveSweep m_sweep;
     Segmented *m_cost, *m_error;
     ElidedLabel* m_line;
+    QBoxLayout* m_head;
     SpeedPlot* m_plot;
 };
 

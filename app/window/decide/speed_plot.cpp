@@ -79,6 +79,15 @@ CostAndError SpeedPlot::place(std::size_t point) const
     return {std::max(m_values[point].cost, m_leastCost), std::max(m_values[point].error, m_leastError)};
 }
 
+// Half of the least that is more than nothing.
+double SpeedPlot::leastOf(double none, double CostAndError::*value) const
+{
+    double least = 1e9;
+    for (const CostAndError& at : m_values)
+        least = at.*value > none ? std::min(least, at.*value) : least;
+    return least < 1e9 ? 0.5 * least : none;
+}
+
 void SpeedPlot::show(const std::vector<MeasuredSetting>& points, const FigureRow& cost, const FigureRow& error)
 {
     const bool sameAxes = m_plot->xAxis->label() == qt(cost.unit) && m_plot->yAxis->label() == qt(error.unit);
@@ -92,13 +101,8 @@ void SpeedPlot::show(const std::vector<MeasuredSetting>& points, const FigureRow
     m_plot->yAxis->setLabel(qt(error.unit));
     m_hovered = -1;
     const double lowCost = m_leastCost, lowError = m_leastError;
-    double leastCost = 1e9, leastError = 1e9;
-    for (const CostAndError& value : m_values) {
-        leastCost = value.cost > 0. ? std::min(leastCost, value.cost) : leastCost;
-        leastError = value.error > 1e-6 ? std::min(leastError, value.error) : leastError;
-    }
-    m_leastCost = leastCost < 1e9 ? 0.5 * leastCost : 1.;
-    m_leastError = leastError < 1e9 ? std::max(1e-5, 0.5 * leastError) : 1e-3;
+    m_leastCost = leastOf(cost.none, &CostAndError::cost);
+    m_leastError = leastOf(error.none, &CostAndError::error);
     rebuild();
     if (!sameAxes || wasEmpty || lowCost != m_leastCost || lowError != m_leastError)
         setRanges();

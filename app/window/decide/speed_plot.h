@@ -33,6 +33,7 @@ private:
     void drawSeries(const std::vector<std::size_t>& points);
     void drawFront();
     void drawPresent();
+    double leastOf(double none, double CostAndError::*value) const;
     void setRanges();
     void point(QPointF at);
     int nearest(QPointF at) const;

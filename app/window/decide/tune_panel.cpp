@@ -78,7 +78,10 @@ TunePanel::TunePanel(Document& document, const Assets& assets, const Viewport& v
     , m_proof(new QTableWidget)
 {
     setObjectName("tune");
-    auto* layout = new QHBoxLayout(this);
+    auto* inside = new QWidget; // scrolls in a narrow window
+    setWidget(inside);
+    setWidgetResizable(true);
+    auto* layout = new QHBoxLayout(inside);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4 * kGrid);
     layout->addLayout(form());
@@ -133,7 +136,7 @@ QLayout* TunePanel::form()
     m_fetches->setToolTip(qt(kFetchesRow.help));
     line(*grid, tr("Find"), m_goal);
     line(*grid, tr("Error"), own);
-    line(*grid, tr("Fetches, at most"), m_fetches);
+    m_fetchesLabel = line(*grid, tr("Fetches, at most"), m_fetches);
     line(*grid, tr("Missed, at most"), m_missed);
     line(*grid, tr("Seen from"), m_views);
     grid->addWidget(m_find, grid->rowCount(), 1, Qt::AlignLeft);
@@ -144,7 +147,7 @@ QLayout* TunePanel::form()
     return grid;
 }
 
-void TunePanel::line(QGridLayout& grid, const QString& label, QWidget* widget)
+QLabel* TunePanel::line(QGridLayout& grid, const QString& label, QWidget* widget)
 {
     auto* text = new QLabel(label);
     setRole(*text, "dim");
@@ -153,7 +156,7 @@ void TunePanel::line(QGridLayout& grid, const QString& label, QWidget* widget)
     const int row = grid.rowCount();
     grid.addWidget(text, row, 0);
     grid.addWidget(widget, row, 1, Qt::AlignLeft);
-    grid.setRowMinimumHeight(row, kRowHeight);
+    return text;
 }
 
 QLayout* TunePanel::result()
@@ -169,8 +172,11 @@ QLayout* TunePanel::result()
     connect(m_apply, &QPushButton::clicked, this, &TunePanel::apply);
     m_proof->setObjectName("proof");
     m_proof->setColumnCount(5);
-    m_proof->setHorizontalHeaderLabels({tr("View"), tr("Fetches"), tr("Most"), tr("Depth, RMSE"), tr("Missed, %")});
+    m_proof->setHorizontalHeaderLabels({tr("View"), tr("Fetches"), tr("Most"), tr("Error"), tr("Missed")});
     m_proof->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_proof->horizontalHeaderItem(3)->setToolTip(tr("RMSE of the depth, share of the relief's depth"));
+    m_proof->horizontalHeaderItem(4)->setToolTip(tr("Rays that go through the first surface, %"));
+    m_proof->setMinimumHeight(48);
     m_proof->horizontalHeader()->setFont(smallFont());
     m_proof->verticalHeader()->hide();
     m_proof->verticalHeader()->setDefaultSectionSize(20);
@@ -224,12 +230,13 @@ void TunePanel::fieldsChanged()
     const bool leastError = m_goal->current() == 1;
     for (std::size_t i = 0; i < m_errors.size(); ++i)
         m_errors[i]->setVisible(!leastError && int(i) == m_metric->current());
-    m_fetches->setEnabled(leastError);
+    m_fetches->setVisible(leastError);
+    m_fetchesLabel->setVisible(leastError);
 }
 
 void TunePanel::hideEvent(QHideEvent* event)
 {
-    QWidget::hideEvent(event);
+    QScrollArea::hideEvent(event);
     m_background.cancel();
 }
 
@@ -279,7 +286,7 @@ void TunePanel::fillProof(const Tuned& tuned, const Candidate& candidate)
             continue;
         const int at = m_proof->rowCount();
         m_proof->insertRow(at);
-        const QString view = qt(tuned.views[row.band]).replace(" deg", "\u00b0");
+        const QString view = qt(tuned.views[row.band]);
         m_proof->setItem(at, 0, cell(view, false));
         m_proof->setItem(at, 1, cell(number(row.errors.meanFetches)));
         m_proof->setItem(at, 2, cell(QString::number(row.errors.maxFetches)));

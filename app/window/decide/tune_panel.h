@@ -4,7 +4,7 @@
 #pragma once
 #include "app/window/document/assets.h"
 #include "render/measure/tuning.h"
-#include <QWidget>
+#include <QScrollArea>
 #include <array>
 #include <optional>
 
@@ -21,7 +21,7 @@ class Segmented;
 class Viewport;
 
 // The same answer as `relievo tune` gives to the same question. Works in the background, not while it is hidden.
-class TunePanel : public QWidget {
+class TunePanel : public QScrollArea {
     Q_OBJECT
 public:
     TunePanel(Document& document, const Assets& assets, const Viewport& viewport);
@@ -38,7 +38,7 @@ protected:
 private:
     QLayout* form();
     QLayout* result();
-    void line(QGridLayout& grid, const QString& label, QWidget* widget);
+    QLabel* line(QGridLayout& grid, const QString& label, QWidget* widget);
     void fieldsChanged();
     void take(const TuneQuestion& question, const Expected<Tuned>& tuned);
     void clear(const QString& why);
@@ -54,7 +54,7 @@ private:
     double m_maxMissed = 100., m_maxFetches = 64.; // percent; a ray
     QComboBox* m_views;
     QPushButton *m_find, *m_apply;
-    QLabel *m_found, *m_figures;
+    QLabel *m_found, *m_figures, *m_fetchesLabel;
     QTableWidget* m_proof;
     std::optional<Tuned> m_answer;
 };
