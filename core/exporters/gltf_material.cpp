@@ -161,6 +161,10 @@ private:
         material["extensions"][kReliefExtension] = relief;
         material["extras"]["relievo"] = numbers;
         m_file.use(kReliefExtension);
+        if (m_job.cures.contains(Cure::Bump)) {
+            material["extensions"][kBumpExtension] = {{"bumpTexture", *texture}, {"bumpFactor", numbers["depth"]}};
+            m_file.use(kBumpExtension);
+        }
         m_warnings.push_back({"gltf-height",
             "Viewers that do not know RELIEVO_materials_relief show the normal map only; the height map at 16 bits lies beside the file."});
         if (m_parameters.midlevel < 1.f)

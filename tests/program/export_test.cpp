@@ -61,6 +61,24 @@ TEST(ExportCommand, SeveralTargetsMakeAFolderEach)
     EXPECT_TRUE(fs::exists(folder.path / "out/preset/Bricks.json"));
 }
 
+TEST(ExportCommand, CuresAreChosenByName)
+{
+    const TestFolder folder("cures");
+    const auto text = [&](const std::string& options) {
+        const ProgramRun run = runRelievo("export sample:bricks@16 --target gltf -o " + (folder / "a.gltf ") + options);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return readText(folder / "a.gltf").value_or("");
+    };
+    EXPECT_EQ(text("").find("EXT_materials_bump"), std::string::npos);
+    EXPECT_NE(text("--with bump").find("EXT_materials_bump"), std::string::npos);
+    for (const char* option : {"--with", "--without"}) {
+        const ProgramRun run = runRelievo("export sample:bricks@16 --target gltf -o " + (folder / "a.gltf ") + option + " bumps");
+        EXPECT_EQ(run.exitCode, 2);
+        EXPECT_NE(run.err.find(std::string(option) + " bumps"), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find("full-range, normals, dither, bump"), std::string::npos) << run.err;
+    }
+}
+
 TEST(ExportCommand, ManySourcesAreExportedEachAndFailuresToldAtTheEnd)
 {
     Sets sets;
