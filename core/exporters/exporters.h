@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,8 +80,13 @@ constexpr std::string_view wordOf(ExportGroup group)
 
 struct TargetText;
 
-// Pictures that were written, by what is in them: an equal one for another target is copied.
-using WrittenPictures = std::map<std::string, std::filesystem::path>;
+// Pictures that were written, by what is in them: an equal one for another target is copied. In a file of their own, or within another,
+// and kept.
+struct WrittenPicture {
+    std::filesystem::path file;
+    std::shared_ptr<const std::vector<std::byte>> bytes = nullptr; // of a PNG
+};
+using WrittenPictures = std::map<std::string, WrittenPicture>;
 
 struct ExportJob {
     const State& state;

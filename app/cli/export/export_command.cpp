@@ -110,7 +110,7 @@ Result<Written> exportScene(const ExportOptions& options, const std::vector<cons
     if (!cures)
         return tl::unexpected(cures.error());
     const Progress progress = shownProgress(options.common);
-    const auto scene = openScene(options.state, progress.part(0.f, 0.5f));
+    const auto scene = openScene(options.state, progress.part(0.f, 0.5f), false); // targets bake of the heights that they write
     if (!scene)
         return tl::unexpected(scene.error());
     Written written;
