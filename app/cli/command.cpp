@@ -278,12 +278,15 @@ Result<SearchInput> openHeights(const StateOptions& options, const Progress& pro
     return input;
 }
 
-Result<Scene> openScene(const StateOptions& options, const Progress& progress)
+Result<Scene> openScene(const StateOptions& options, const Progress& progress, bool isDrawn)
 {
     auto opened = openState(options, progress.part(0.f, 0.5f));
     if (!opened)
         return tl::unexpected(opened.error());
-    auto resources = loadResources(opened->state, opened->images, {}, progress.part(0.5f, 1.f));
+    State needed = opened->state;
+    for (Pane& pane : needed.panes)
+        pane.technique = isDrawn ? pane.technique : "flat";
+    auto resources = loadResources(needed, opened->images, {}, progress.part(0.5f, 1.f));
     if (!resources)
         return problem(resources.error());
     if (const auto kept = checkOutputs(options, picturesOf(*resources->mesh)); !kept)

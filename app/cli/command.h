@@ -72,7 +72,7 @@ inline tl::unexpected<Problem> problem(Error error, int code = Failed)
 // when the State names a mesh or environment, which openScene, needing them, makes an error.
 Result<Opened> openState(const StateOptions& options, const Progress& progress);
 Result<SearchInput> openHeights(const StateOptions& options, const Progress& progress);
-Result<Scene> openScene(const StateOptions& options, const Progress& progress);
+Result<Scene> openScene(const StateOptions& options, const Progress& progress, bool isDrawn = true); // else without acceleration maps
 
 // Progress on stderr when that is a terminal or was asked for.
 Progress shownProgress(const Common& common);

@@ -64,6 +64,8 @@ std::vector<std::string> namesInFolder(const ExportRow& row)
 EnumSet<Cure> curesUsedBy(const ExportRow& row, const TargetText* packing)
 {
     EnumSet<Cure> used;
+    if (row.code == exportGltf)
+        used.insert(Cure::Bump);
     if (row.code)
         return used;
     for (const PackedTexture& texture : (packing ? *packing : textOf(row)).textures) {

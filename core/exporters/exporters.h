@@ -10,14 +10,15 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace relievo {
 
-// What is done to the maps on their way out because an engine needs it; each can be left out.
-enum class Cure { FullRange, Normals, Dither };
+// What is done to the maps on their way out because a reader needs it; each can be chosen.
+enum class Cure { FullRange, Normals, Dither, Bump };
 constexpr std::string_view wordOf(Cure cure)
 {
     switch (cure) {
@@ -27,11 +28,14 @@ constexpr std::string_view wordOf(Cure cure)
         return "normals";
     case Cure::Dither:
         return "dither";
+    case Cure::Bump:
+        return "bump";
     }
     return {};
 }
 struct CureRow {
     std::string_view label, help;
+    bool byDefault = true;
 };
 inline constexpr PerChoice<Cure, CureRow> kCures{{{
     {"Use the full range of heights",
@@ -41,7 +45,19 @@ inline constexpr PerChoice<Cure, CureRow> kCures{{{
         "Makes a normal map of the heights at the material's depth where there is none: parallax moves the picture, the light needs "
         "normals."},
     {"Dither to 8 bits", "Spreads what 8 bits cannot hold over neighbours, where a target keeps 8 bits only: no terraces."},
+    {"Name heights as a bump map too",
+        "glTF has no height map that other programs read. EXT_materials_bump is a draft that three.js reads; it takes no more space, and "
+        "where there is a normal map three.js shows that.",
+        false},
 }}};
+constexpr EnumSet<Cure> curesByDefault()
+{
+    EnumSet<Cure> cures;
+    for (std::size_t i = 0; i < kChoices<Cure>; ++i)
+        if (kCures[Cure(i)].byDefault)
+            cures.insert(Cure(i));
+    return cures;
+}
 
 // What a target is for, in the order of lists.
 enum class ExportGroup { Engines, Formats, Shaders, Relievo, Own };
@@ -64,8 +80,13 @@ constexpr std::string_view wordOf(ExportGroup group)
 
 struct TargetText;
 
-// Pictures that were written, by what is in them: an equal one for another target is copied.
-using WrittenPictures = std::map<std::string, std::filesystem::path>;
+// Pictures that were written, by what is in them: an equal one for another target is copied. In a file of their own, or within another,
+// and kept.
+struct WrittenPicture {
+    std::filesystem::path file;
+    std::shared_ptr<const std::vector<std::byte>> bytes = nullptr; // of a PNG
+};
+using WrittenPictures = std::map<std::string, WrittenPicture>;
 
 struct ExportJob {
     const State& state;
@@ -74,7 +95,7 @@ struct ExportJob {
     int size = 0; // texels of the longest side of written textures; 0 keeps each map's own size
     Progress progress;
     std::vector<std::filesystem::path> alsoRead = {}; // beside what the State names: the project, a preset
-    EnumSet<Cure> cures = {Cure::FullRange, Cure::Normals, Cure::Dither};
+    EnumSet<Cure> cures = curesByDefault();
     WrittenPictures* pictures = nullptr; // of this material's other targets; may be null
     const TargetText* packing = nullptr; // whose textures stand in for those of a target by text; may be null
 };

@@ -5,6 +5,7 @@
 #include "core/exporters/gltf_mesh.h"
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
+#include "core/exporters/written_pictures.h"
 #include "core/ground/file.h"
 #include "core/ground/text.h"
 #include "core/mesh/animation/pose.h"
@@ -81,7 +82,7 @@ Expected<std::vector<fs::path>> writeFiles(const ExportJob& job, GlbFile& file)
     if (const std::optional<HeightField>& height = job.resources.material->height) {
         files.push_back(heightBeside(job));
         made.willMake(files.back());
-        const Expected<void> written = writeImage(files.back(), reduced(heightImage(*height, 16), job.size, Averaging::Plain));
+        const Expected<void> written = writePicture(job, files.back(), reduced(heightImage(*height, 16), job.size, Averaging::Plain));
         if (!written)
             return tl::unexpected(written.error());
     }

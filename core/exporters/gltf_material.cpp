@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/gltf_material.h"
 #include "core/exporters/map_images.h"
+#include "core/exporters/written_pictures.h"
 #include "core/gltf/gltf_extensions.h"
 #include "core/maps/float_image.h"
 #include "core/state/state_json.h"
@@ -47,10 +48,10 @@ private:
     // A texture of an 8-bit image, as what a material refers to it by.
     Expected<Json> addTexture(const Image& image, const std::string& name, bool srgb)
     {
-        const Expected<std::vector<std::byte>> png = encodePng(image, srgb);
+        const auto png = pngOf(m_job, image, srgb);
         if (!png)
             return tl::unexpected(png.error());
-        return reference(m_file.addTexture(*png, name));
+        return reference(m_file.addTexture(**png, name));
     }
 
     Json reference(std::size_t texture)
@@ -161,6 +162,10 @@ private:
         material["extensions"][kReliefExtension] = relief;
         material["extras"]["relievo"] = numbers;
         m_file.use(kReliefExtension);
+        if (m_job.cures.contains(Cure::Bump)) {
+            material["extensions"][kBumpExtension] = {{"bumpTexture", *texture}, {"bumpFactor", numbers["depth"]}};
+            m_file.use(kBumpExtension);
+        }
         m_warnings.push_back({"gltf-height",
             "Viewers that do not know RELIEVO_materials_relief show the normal map only; the height map at 16 bits lies beside the file."});
         if (m_parameters.midlevel < 1.f)

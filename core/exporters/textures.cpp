@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
+#include "core/exporters/written_pictures.h"
 #include "core/ground/file.h"
 #include "core/maps/maps.h"
 #include "core/scene/relief_numbers.h"
@@ -133,7 +134,7 @@ Expected<Exported> exportTextures(const ExportJob& job)
                 return tl::unexpected(written.error());
         }
         made.willMake(path);
-        if (Expected<void> written = writeImage(path, *image, kind->isColor); !written)
+        if (Expected<void> written = writePicture(job, path, *image, kind->isColor); !written)
             return tl::unexpected(written.error());
         exported.files.push_back(path);
         maps.push_back({{"kind", kind->key}, {"file", path.filename().string()}, {"convention", kind->convention}, {"width", image->width},

@@ -67,7 +67,7 @@ Expected<WebJson> sideJson(const ExportJob& job, const Side& side, const std::op
         = makeAccelerationMap(side.technique.accelerationMap, field->withWrap(side.parameters.wrap), side.parameters, false, job.progress);
     if (!map)
         return tl::unexpected(map.error());
-    Expected<WebJson> bound = webBound(**map);
+    Expected<WebJson> bound = webBound(job, **map);
     if (!bound)
         return bound;
     json["uniforms"]["boundScales[0]"] = jsonOf((*map)->scales.front());
@@ -115,7 +115,7 @@ Expected<WebJson> mapsJson(const ExportJob& job, const WebJson& sides, Warnings&
         if (row.isColor && map->type == PixelType::F32 && brightest(*map) > 1.f)
             warnings.push_back({"web-clipped", std::string(row.label) + " is brighter than 1 in places: the page's maps end there."});
         const Averaging averaging = row.isColor ? Averaging::Srgb : row.kind == MapKind::Normal ? Averaging::Normals : Averaging::Plain;
-        Expected<WebJson> picture = webPicture(eightBit(reduced(*map, job.size, averaging), row.isColor), row.isColor);
+        Expected<WebJson> picture = webPicture(job, eightBit(reduced(*map, job.size, averaging), row.isColor), row.isColor);
         if (!picture)
             return picture;
         maps[std::string(row.key)] = std::move(*picture);
@@ -169,7 +169,7 @@ Expected<WebJson> dataOf(const ExportJob& job, Warnings& warnings)
         {"plain", std::move(*plain)}, {"maps", std::move(*maps)}, {"environment", webEnvironment(*job.resources.environment)},
         {"mesh", webMesh(mesh, plainParts(mesh, job.state.part))}};
     if (field) {
-        Expected<WebJson> planes = webPlanes(heightImage(*field, 16));
+        Expected<WebJson> planes = webPlanes(job, heightImage(*field, 16));
         if (!planes)
             return planes;
         data["height"] = std::move(*planes);

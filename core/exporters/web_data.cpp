@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/web_data.h"
 #include "core/exporters/map_images.h"
+#include "core/exporters/written_pictures.h"
 #include "core/ground/base64.h"
 #include "core/image/environment_cube.h"
-#include "core/image/files/image_file.h"
 #include "core/mesh/edges/closed.h"
 #include <cassert>
 #include <glm/gtc/packing.hpp>
@@ -17,12 +17,12 @@ template <class T> std::string numbers(const std::vector<T>& values)
     return base64(std::as_bytes(std::span(values)));
 }
 
-Expected<std::string> png(const Image& image, bool srgb = false)
+Expected<std::string> png(const ExportJob& job, const Image& image, bool srgb = false)
 {
-    const auto bytes = encodePng(image, srgb);
+    const auto bytes = pngOf(job, image, srgb);
     if (!bytes)
         return tl::unexpected(bytes.error());
-    return base64(*bytes);
+    return base64(**bytes);
 }
 
 // The high or the low bytes of one channel.
@@ -38,13 +38,13 @@ Image byteOf(const Image& image, int channel, bool high)
 }
 } // namespace
 
-Expected<WebJson> webPlanes(const Image& image)
+Expected<WebJson> webPlanes(const ExportJob& job, const Image& image)
 {
     assert(image.type == PixelType::U16);
     WebJson planes = WebJson::array();
     for (int c = 0; c < image.channels; ++c)
         for (const bool high : {true, false}) {
-            Expected<std::string> plane = png(byteOf(image, c, high));
+            Expected<std::string> plane = png(job, byteOf(image, c, high));
             if (!plane)
                 return tl::unexpected(plane.error());
             planes.push_back(std::move(*plane));
@@ -52,17 +52,17 @@ Expected<WebJson> webPlanes(const Image& image)
     return WebJson{{"width", image.width}, {"height", image.height}, {"channels", image.channels}, {"planes", std::move(planes)}};
 }
 
-Expected<WebJson> webPicture(const Image& image, bool srgb)
+Expected<WebJson> webPicture(const ExportJob& job, const Image& image, bool srgb)
 {
-    Expected<std::string> picture = png(image, srgb);
+    Expected<std::string> picture = png(job, image, srgb);
     if (!picture)
         return tl::unexpected(picture.error());
     return WebJson{{"png", std::move(*picture)}, {"channels", image.channels}, {"srgb", srgb}};
 }
 
-Expected<WebJson> webBound(const AccelerationMap& map)
+Expected<WebJson> webBound(const ExportJob& job, const AccelerationMap& map)
 {
-    Expected<WebJson> bound = webPlanes(map.levels.front());
+    Expected<WebJson> bound = webPlanes(job, map.levels.front());
     if (bound) {
         (*bound)["sampler"] = map.form == MapForm::Codes ? "cellMap" : map.form == MapForm::Volume ? "distanceMap" : "boundMap";
         (*bound)["slices"] = map.slices;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "core/exporters/exporters.h"
 #include "core/image/environment.h"
 #include "core/image/image.h"
 #include "core/maps/acceleration/acceleration_map.h"
@@ -14,13 +15,13 @@ using WebJson = nlohmann::ordered_json;
 
 // Whole numbers of 16 bits, which browsers cut to 8 in one PNG: of each channel a grey PNG of the high bytes and one of the low ones.
 // {width, height, channels, planes}. Errors: those of the encoder.
-Expected<WebJson> webPlanes(const Image& image);
+Expected<WebJson> webPlanes(const ExportJob& job, const Image& image);
 
 // 8 bits a channel: {png, channels, srgb}.
-Expected<WebJson> webPicture(const Image& image, bool srgb);
+Expected<WebJson> webPicture(const ExportJob& job, const Image& image, bool srgb);
 
 // The finest level: webPlanes with `sampler`, the name in shaders, and the slices of a volume.
-Expected<WebJson> webBound(const AccelerationMap& map);
+Expected<WebJson> webBound(const ExportJob& job, const AccelerationMap& map);
 
 // Positions, normals and uvs as 32-bit floats, indices of 16 or 32 bits, those of parts with relief first: {relief: how many}.
 WebJson webMesh(const Mesh& mesh, const std::vector<char>& isPlain);

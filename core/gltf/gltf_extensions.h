@@ -6,6 +6,7 @@
 namespace relievo {
 
 inline constexpr const char* kReliefExtension = "RELIEVO_materials_relief"; // our own
+inline constexpr const char* kBumpExtension = "EXT_materials_bump"; // a draft: heights are red, and its factor has no unit
 inline constexpr const char* kSpecularGlossinessExtension = "KHR_materials_pbrSpecularGlossiness"; // only read
 inline constexpr const char* kDracoExtension = "KHR_draco_mesh_compression"; // only read
 inline constexpr const char* kMeshoptExtension = "EXT_meshopt_compression"; // only read

@@ -19,5 +19,5 @@ if [ ! -d "$tools/node_modules/gltf-validator" ]; then
   fi
 fi
 "$here/glb_of_samples.sh" "$relievo" "$build/clients/validated" "$data"
-"$relievo" export sample:bricks --target gltf --size 256 -o "$build/clients/validated/as text.gltf" >/dev/null
+"$relievo" export sample:bricks --target gltf --with bump --size 256 -o "$build/clients/validated/as text.gltf" >/dev/null
 NODE_PATH=$tools/node_modules node "$here/gltf_validator.js" "$build"/clients/validated/*.gl*

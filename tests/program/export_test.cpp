@@ -61,6 +61,53 @@ TEST(ExportCommand, SeveralTargetsMakeAFolderEach)
     EXPECT_TRUE(fs::exists(folder.path / "out/preset/Bricks.json"));
 }
 
+TEST(ExportCommand, CuresAreChosenByName)
+{
+    const TestFolder folder("cures");
+    const auto text = [&](const std::string& options) {
+        const ProgramRun run = runRelievo("export sample:bricks@16 --target gltf -o " + (folder / "a.gltf ") + options);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return readText(folder / "a.gltf").value_or("");
+    };
+    EXPECT_EQ(text("").find("EXT_materials_bump"), std::string::npos);
+    EXPECT_NE(text("--with bump").find("EXT_materials_bump"), std::string::npos);
+    for (const char* option : {"--with", "--without"}) {
+        const ProgramRun run = runRelievo("export sample:bricks@16 --target gltf -o " + (folder / "a.gltf ") + option + " bumps");
+        EXPECT_EQ(run.exitCode, 2);
+        EXPECT_NE(run.err.find(std::string(option) + " bumps"), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find("full-range, normals, dither, bump"), std::string::npos) << run.err;
+    }
+}
+
+// What another target encoded is not encoded again, also where it stands within a file.
+TEST(ExportCommand, PicturesInsideFilesAreThoseOfOtherTargets)
+{
+    const TestFolder folder("embedded");
+    const ProgramRun run = runRelievo("export sample:bricks@32 --target packed,gltf -o " + (folder / "out"));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const std::string glb = readText(folder.path / "out/gltf/Bricks.glb").value_or("");
+    int within = 0;
+    for (const fs::path& file : fs::directory_iterator(folder.path / "out/packed"))
+        if (const std::string picture = readText(file).value_or(""); file.extension() == ".png")
+            within += glb.find(picture) != std::string::npos;
+    EXPECT_GE(within, 2) << "base color, and occlusion, roughness and metallic";
+}
+
+TEST(ExportCommand, NoMapIsBakedThatNoTargetHolds)
+{
+    const TestFolder folder("unbaked");
+    ASSERT_EQ(setenv("RELIEVO_CACHE", (folder / "cache").c_str(), 1), 0);
+    const auto baked = [&](const std::string& target) {
+        fs::remove_all(folder.path / "cache");
+        const ProgramRun run = runRelievo("export sample:bricks@16 --technique cell-cone --target " + target + " -o " + (folder / "out"));
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return fs::exists(folder.path / "cache") ? std::distance(fs::directory_iterator(folder.path / "cache"), {}) : 0;
+    };
+    EXPECT_EQ(baked("packed"), 0);
+    EXPECT_EQ(baked("glsl"), 1) << "of the heights that are written";
+    setenv("RELIEVO_CACHE", "off", 1);
+}
+
 TEST(ExportCommand, ManySourcesAreExportedEachAndFailuresToldAtTheEnd)
 {
     Sets sets;

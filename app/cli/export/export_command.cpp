@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 struct ExportOptions {
     Common common;
     StateOptions state;
-    std::vector<std::string> sources, targets, without;
+    std::vector<std::string> sources, targets, with, without;
     std::string out, packing, shard;
     int size = 0, jobs = 1;
     bool resume = false;
@@ -55,13 +55,19 @@ Result<std::vector<const ExportRow*>> targetsOf(const ExportOptions& options)
 
 Result<EnumSet<Cure>> curesOf(const ExportOptions& options)
 {
+    const auto named = [](const std::vector<std::string>& words, Cure cure) { return std::ranges::count(words, wordOf(cure)) > 0; };
     EnumSet<Cure> cures;
-    for (std::size_t i = 0; i < kChoices<Cure>; ++i)
-        if (!std::ranges::count(options.without, wordOf(Cure(i))))
-            cures.insert(Cure(i));
-    for (const std::string& word : options.without)
-        if (!choiceOf<Cure>(word))
-            return problem({"there is no such cure", "--without " + word, "There are full-range, normals and dither"}, WrongUsage);
+    std::string all;
+    for (std::size_t i = 0; i < kChoices<Cure>; ++i) {
+        const Cure cure = Cure(i);
+        all += (i == 0 ? "There are " : ", ") + std::string(wordOf(cure));
+        if ((kCures[cure].byDefault || named(options.with, cure)) && !named(options.without, cure))
+            cures.insert(cure);
+    }
+    for (const auto& [option, words] : {std::pair("--with ", &options.with), std::pair("--without ", &options.without)})
+        for (const std::string& word : *words)
+            if (!choiceOf<Cure>(word))
+                return problem({"there is no such cure", option + word, all}, WrongUsage);
     return cures;
 }
 
@@ -104,7 +110,7 @@ Result<Written> exportScene(const ExportOptions& options, const std::vector<cons
     if (!cures)
         return tl::unexpected(cures.error());
     const Progress progress = shownProgress(options.common);
-    const auto scene = openScene(options.state, progress.part(0.f, 0.5f));
+    const auto scene = openScene(options.state, progress.part(0.f, 0.5f), false); // targets bake of the heights that they write
     if (!scene)
         return tl::unexpected(scene.error());
     Written written;
@@ -297,6 +303,10 @@ void addExport(CLI::App& app, int& exitCode)
         ->type_name("N");
     options->state.addInput(*command, "--packing", options->packing, "Textures to write in place of the target's, as JSON")
         ->type_name("FILE");
+    command->add_option("--with", options->with, "Does more to what is written: bump names glTF's heights as EXT_materials_bump too")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("CURE[,...]");
     command
         ->add_option(
             "--without", options->without, "Leaves the maps as they are in one way: full-range, normals or dither; several by commas")

@@ -30,7 +30,7 @@ CureSwitches::CureSwitches(QWidget* parent) : QWidget(parent)
         auto* label = new QLabel(qt(kCures[cure].label));
         m_labels[cure] = label;
         button->setObjectName("cure-" + qt(wordOf(cure)));
-        button->setChecked(QSettings().value(keyOf(cure), true).toBool());
+        button->setChecked(QSettings().value(keyOf(cure), kCures[cure].byDefault).toBool());
         button->setAccessibleName(label->text());
         for (QWidget* part : {static_cast<QWidget*>(button), static_cast<QWidget*>(label)})
             part->setToolTip("<p>" + qt(kCures[cure].help).toHtmlEscaped() + "</p>");

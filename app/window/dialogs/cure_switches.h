@@ -9,7 +9,7 @@ namespace relievo {
 
 class Switch;
 
-// One a row of kCures, on unless it was turned off before: the settings keep it.
+// One a row of kCures, as the row says until it was turned: the settings keep that.
 class CureSwitches : public QWidget {
     Q_OBJECT
 public:

@@ -7,9 +7,9 @@
 #include "core/exporters/engines/template_values.h"
 #include "core/exporters/map_images.h"
 #include "core/exporters/new_files.h"
+#include "core/exporters/written_pictures.h"
 #include "core/ground/file.h"
 #include "core/ground/hash.h"
-#include "core/image/files/image_file.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -228,17 +228,16 @@ private:
         std::string content;
         if (m_job.pictures) {
             content = contentOf(*texture.texture, m_job, m_heights, m_parameters);
-            if (const auto equal = m_job.pictures->find(content); equal != m_job.pictures->end())
-                if (const auto bytes = readBytes(equal->second))
-                    return writeAtomically(*path, *bytes);
+            if (const auto bytes = bytesOf(*m_job.pictures, content))
+                return writeAtomically(*path, *bytes);
         }
         const Image image = packed(*texture.texture, m_job, m_heights, m_parameters);
         if (m_job.progress.cancelled())
             return cancelled(m_job.out.string());
-        if (auto written = writeImage(*path, image, texture.texture->srgb); !written)
+        if (auto written = writePicture(m_job, *path, image, texture.texture->srgb); !written)
             return written;
         if (m_job.pictures)
-            m_job.pictures->emplace(content, *path);
+            (*m_job.pictures)[content] = {*path};
         return {};
     }
 

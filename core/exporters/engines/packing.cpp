@@ -7,6 +7,7 @@
 #include "core/maps/acceleration/acceleration_map.h"
 #include "core/maps/maps.h"
 #include <cmath>
+#include <cstring>
 #include <tbb/parallel_for.h>
 
 namespace relievo {
@@ -35,6 +36,21 @@ struct Source {
         if (linearColor)
             v = srgbOf(v);
         return inverted ? 1.f - v : v;
+    }
+
+    // Whether the numbers go into a picture as they are.
+    bool isCopiedTo(const Image& out) const
+    {
+        return image && image->width == out.width && image->height == out.height && image->type == out.type && !inverted && !linearColor
+            && !dithers && part == PackedChannel::Part::All && out.type != PixelType::F32;
+    }
+    void copyRow(Image& out, int y, int c) const
+    {
+        const std::size_t bytes = bytesOf(out.type), from = bytes * std::size_t(image->channels), to = bytes * std::size_t(out.channels);
+        const std::byte* source = image->data.data() + std::size_t(y) * std::size_t(out.width) * from + bytes * std::size_t(channel);
+        std::byte* target = out.data.data() + std::size_t(y) * std::size_t(out.width) * to + bytes * std::size_t(c);
+        for (int x = 0; x < out.width; ++x, source += from, target += to)
+            std::memcpy(target, source, bytes);
     }
 };
 
@@ -78,12 +94,17 @@ public:
         const PixelType type = m_texture.bits == 8 ? PixelType::U8 : m_texture.bits == 16 ? PixelType::U16 : PixelType::F32;
         Image out = emptyImage(width, height, int(m_sources.size()), type);
         tbb::parallel_for(0, height, [&](int y) {
-            for (int x = 0; x < width; ++x)
-                for (int c = 0; c < out.channels; ++c) {
-                    const Source& source = m_sources[std::size_t(c)];
+            for (int c = 0; c < out.channels; ++c) {
+                const Source& source = m_sources[std::size_t(c)];
+                if (source.isCopiedTo(out)) {
+                    source.copyRow(out, y, c);
+                    continue;
+                }
+                for (int x = 0; x < width; ++x) {
                     const float v = source.at(x, y, width, height);
                     store(out, x, y, c, source.dithers ? std::floor(v * 255.f + threshold(x, y)) / 255.f : v);
                 }
+            }
         });
         return out;
     }

@@ -10,6 +10,7 @@
 #include <boost/process/posix.hpp>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
@@ -21,6 +22,7 @@
 namespace relievo {
 namespace {
 constexpr std::chrono::seconds kPatience{20}; // without a byte moving
+constexpr std::chrono::seconds kLastWords{1}; // for a killed process to be gone
 constexpr int kPollMs = 50; // how often a cancel is looked for
 constexpr int kPipeBytes = 1 << 20;
 
@@ -52,6 +54,15 @@ std::string largePages()
     return withOption("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1");
 }
 
+// A dead process stays in the system's table until it is collected, and its time counts as ours only then. One that hangs in a file
+// system is left behind.
+void collect(pid_t id)
+{
+    const auto start = std::chrono::steady_clock::now();
+    while (::waitpid(id, nullptr, WNOHANG) == 0 && std::chrono::steady_clock::now() - start < kLastWords)
+        ::poll(nullptr, 0, 1);
+}
+
 void closeHandle(int& handle)
 {
     if (handle >= 0)
@@ -74,11 +85,15 @@ void HelperProcess::kill()
 {
     closeHandle(m_in);
     closeHandle(m_out);
-    if (m_process) {
-        std::error_code code;
-        m_process->child.terminate(code); // also collects it
-        m_process.reset();
+    if (!m_process)
+        return;
+    std::error_code code;
+    if (m_process->child.running(code)) { // else it is collected, and its number may be another's by now
+        ::kill(m_process->child.id(), SIGKILL);
+        collect(m_process->child.id());
     }
+    m_process->child.detach();
+    m_process.reset();
 }
 
 int HelperProcess::id() const

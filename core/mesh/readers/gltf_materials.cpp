@@ -107,6 +107,7 @@ private:
         put(MapKind::AmbientOcclusion, textureOf(material.occlusionTexture), Channel::R);
         put(MapKind::Emission, textureOf(material.emissiveTexture));
         readRelief(material);
+        readBump(material);
         readFactors(material);
         tellSpace();
         m_read.materials.push_back(std::move(m_material));
@@ -177,6 +178,14 @@ private:
                 relief.search.emplace_back(row.key, value.GetNumberAsDouble());
         }
         m_material.relief = std::move(relief);
+    }
+
+    // The heights of other programs, or of ours where only this extension is left; how deep they are nobody told.
+    void readBump(const tinygltf::Material& material)
+    {
+        const auto found = material.extensions.find(kBumpExtension);
+        if (found != material.extensions.end() && m_material.maps[std::size_t(MapKind::Height)].empty())
+            put(MapKind::Height, textureIn(found->second, "bumpTexture"), Channel::R);
     }
 
     void tellSpace()

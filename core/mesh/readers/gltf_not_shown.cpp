@@ -20,6 +20,7 @@ struct ExtensionRow {
 };
 constexpr auto kExtensions = std::to_array<ExtensionRow>({
     {kReliefExtension, ""},
+    {kBumpExtension, ""},
     {kBrighterExtension, ""},
     {kSpecularGlossinessExtension, ""},
     {"KHR_materials_unlit", "unlit materials"},

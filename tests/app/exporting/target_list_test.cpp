@@ -113,11 +113,14 @@ TEST_F(TargetListTest, CuresAreSwitchesWithTheirReason)
     ExportDialog& dialog = exportTo("o3de");
     for (std::size_t i = 0; i < kChoices<Cure>; ++i) {
         Switch& one = cure(std::string(wordOf(Cure(i))).c_str());
-        EXPECT_TRUE(one.isChecked()) << wordOf(Cure(i));
+        EXPECT_EQ(one.isChecked(), kCures[Cure(i)].byDefault) << wordOf(Cure(i));
         EXPECT_TRUE(one.toolTip().contains(qt(kCures[Cure(i)].help).left(40)));
     }
     EXPECT_TRUE(cure("normals").isEnabled() && cure("full-range").isEnabled());
     EXPECT_FALSE(cure("dither").isEnabled()) << "its height has 16 bits";
+    EXPECT_FALSE(cure("bump").isEnabled()) << "for glTF alone";
+    dialog.setTarget("gltf");
+    EXPECT_TRUE(cure("bump").isEnabled());
     dialog.setTarget("bevy");
     EXPECT_TRUE(cure("dither").isEnabled());
     dialog.setTarget("preset");
@@ -146,6 +149,22 @@ TEST_F(TargetListTest, ACureThatIsOffIsLeftOutAndStaysOff)
     EXPECT_TRUE(next.findChild<Switch*>("cure-dither")->isChecked());
 }
 
+TEST_F(TargetListTest, ACureThatIsOffByDefaultIsDoneWhenTurnedOn)
+{
+    ExportDialog& dialog = exportTo("gltf");
+    const auto namesBump = [&](const char* name) {
+        dialog.setOut(file(name));
+        dialog.run();
+        finish(dialog);
+        QFile written(file(name));
+        return written.open(QIODevice::ReadOnly) && written.readAll().contains("EXT_materials_bump");
+    };
+    EXPECT_FALSE(namesBump("without.glb")) << result(dialog).text().toStdString();
+    QTest::mouseClick(&cure("bump"), Qt::LeftButton);
+    EXPECT_TRUE(namesBump("with.glb")) << result(dialog).text().toStdString();
+    QTest::mouseClick(&cure("bump"), Qt::LeftButton); // the settings keep it
+}
+
 TEST_F(TargetListTest, TheDialogFitsASmallScreenAndNothingMovesWhenATargetIsChosen)
 {
     ExportDialog& dialog = exportTo("gltf");
@@ -171,8 +190,9 @@ TEST(Cures, TheyAreUsedByTheTargetsThatHoldWhatTheyCure)
 {
     for (const ExportRow& row : kExports) {
         const EnumSet<Cure> used = curesUsedBy(row);
+        EXPECT_EQ(used.contains(Cure::Bump), row.key == "gltf") << row.key;
         if (row.code) {
-            EXPECT_TRUE(used.empty()) << row.key;
+            EXPECT_FALSE(used.contains(Cure::FullRange) || used.contains(Cure::Normals) || used.contains(Cure::Dither)) << row.key;
         } else if (row.engine.bits == 8) {
             EXPECT_TRUE(used.contains(Cure::Dither)) << row.key;
         }

@@ -124,6 +124,39 @@ TEST_F(Export, GlbHoldsMaterialAndRelief)
     EXPECT_EQ(document["meshes"][0]["primitives"].size(), 1u);
 }
 
+// EXT_materials_bump: only when asked for, the same texture with the same transform, and heights again where it is all that is left.
+TEST_F(Export, HeightsAreABumpMapTooWhenAskedFor)
+{
+    m_state.parameters.tiling = 2.f;
+    const Expected<Resources> resources = loadResources(m_state, {}, {});
+    ASSERT_TRUE(resources);
+    ExportJob job{m_state, *resources, m_folder / "a.gltf", 0, {}};
+    ASSERT_TRUE(findExport("gltf")->run(job));
+    const json plain = json::parse(*readText(job.out));
+    EXPECT_EQ(plain.dump().find("EXT_materials_bump"), std::string::npos) << "off by default";
+    job.cures.insert(Cure::Bump);
+    ASSERT_TRUE(findExport("gltf")->run(job));
+    json document = json::parse(*readText(job.out));
+    json& extensions = document["materials"][0]["extensions"];
+    const json relief = extensions["RELIEVO_materials_relief"];
+    EXPECT_EQ(extensions["EXT_materials_bump"], (json{{"bumpTexture", relief["heightTexture"]}, {"bumpFactor", relief["depth"]}}));
+    EXPECT_EQ(std::ranges::count(document["extensionsUsed"], "EXT_materials_bump"), 1);
+    EXPECT_EQ(document["images"], plain["images"]) << "no picture of its own";
+
+    extensions.erase("RELIEVO_materials_relief");
+    document["materials"][0].erase("normalTexture");
+    ASSERT_TRUE(writeAtomically(job.out, document.dump()));
+    const auto mesh = openMesh(job.out.string());
+    ASSERT_TRUE(mesh) << message(mesh.error());
+    EXPECT_TRUE(mesh->warnings.empty());
+    const auto again = openSource(job.out.string(), State());
+    ASSERT_TRUE(again) << message(again.error());
+    const MapSlot& height = again->state.slots[std::size_t(MapKind::Height)];
+    const Expected<ImageRead> bump = readImage(height.file);
+    ASSERT_TRUE(bump) << message(bump.error());
+    EXPECT_EQ(bump->image.data, reduced(heightImage(*resources->material->height, 8), 0, Averaging::Plain).data);
+}
+
 TEST_F(Export, GlbReadsBackAsTheSameMesh)
 {
     m_state.mesh = "torus";

@@ -68,6 +68,18 @@ void writeSet(const TemporaryFolder& folder)
 }
 } // namespace
 
+// A helper that was collected is no zombie, and its time counts as this process's.
+TEST(SideBySide, AKilledHelperIsCollected)
+{
+    HelperProcess helper;
+    bool isFresh = false;
+    ASSERT_TRUE(helper.ensureRunning(isFresh));
+    const int id = helper.id();
+    ASSERT_EQ(::kill(id, 0), 0);
+    helper.kill();
+    EXPECT_EQ(::kill(id, 0), -1) << "a zombie takes signals still";
+}
+
 // The first helper stands still: a second one answers.
 TEST(SideBySide, TwoRequestsAreAnsweredAtOnce)
 {
