@@ -12,6 +12,7 @@
 #include "core/scene/materials/material_file.h"
 #include "core/scene/relief_numbers.h"
 #include "core/state/presets.h"
+#include "core/state/sample_names.h"
 #include <algorithm>
 #include <charconv>
 
@@ -156,7 +157,7 @@ Opened openedSet(TextureSet set, const fs::path& path, const State& base)
 
 bool isBuiltInSource(std::string_view source)
 {
-    return source.starts_with("sample:") || source.starts_with("scene:") || source.starts_with("hard:");
+    return namesSample(source) || source.starts_with("scene:") || source.starts_with("hard:");
 }
 
 bool isMeshFile(const fs::path& file)
@@ -172,7 +173,7 @@ bool isProjectFile(const fs::path& file)
 
 Expected<Opened> openSource(const std::string& source, const State& base, const Progress& progress, const EarlyOpened& told)
 {
-    if (source.starts_with("sample:"))
+    if (namesSample(source))
         return source.starts_with("sample:hard-") ? openHardCase(std::string_view(source).substr(12), base)
                                                   : openSample(std::string_view(source).substr(7), base);
     if (source.starts_with("scene:"))

@@ -4,6 +4,7 @@
 #include "core/ground/file.h"
 #include "core/ground/json_depth.h"
 #include "core/ground/shown_text.h"
+#include "core/state/sample_names.h"
 #include "core/state/shapes.h"
 #include "core/state/state_json.h"
 #include "core/state/techniques.h"
@@ -119,7 +120,7 @@ private:
         text(value, place, name);
         if (!value.is_string())
             return true;
-        out = name.empty() || name.starts_with("sample:") || !isPath ? name : absolutePath(m_folder / withSlashes(name)).string();
+        out = name.empty() || namesSample(name) || !isPath ? name : absolutePath(m_folder / withSlashes(name)).string();
         return true;
     }
 

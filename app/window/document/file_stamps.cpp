@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/file_stamps.h"
+#include "core/gltf/buffers.h"
 #include "core/gltf/pictures.h"
+#include "core/state/sample_names.h"
 #include "core/state/shapes.h"
 #include <algorithm>
 #include <sys/stat.h>
@@ -33,10 +35,12 @@ FileStamps stampsOf(const State& state)
 {
     FileStamps stamps;
     for (const MapSlot& slot : state.slots)
-        if (!slot.empty() && !slot.file.starts_with("sample:"))
+        if (!slot.empty() && !namesSample(slot.file))
             stamps[slot.file] = stampOf(slot.file);
     if (!std::ranges::count(kShapes, state.mesh))
         stamps[state.mesh] = stampOf(state.mesh);
+    for (const fs::path& file : buffersBeside(state.mesh))
+        stamps[file.string()] = stampOfFile(file);
     if (state.environment != "studio")
         stamps[state.environment] = stampOf(state.environment);
     return stamps;

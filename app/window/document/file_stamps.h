@@ -24,7 +24,7 @@ using FileStamps = std::map<std::string, FileStamp>;
 using FileNames = std::set<std::string>;
 
 FileStamp stampOf(const std::string& name);
-FileStamps stampsOf(const State& state); // of all files that it names; what is built in is none
+FileStamps stampsOf(const State& state); // of all files that it names, and what a .gltf keeps beside it; what is built in is none
 FileStamps stampsIn(const std::filesystem::path& folder);
 FileNames namesOf(const FileStamps& stamps);
 FileNames changedSince(const FileStamps& stamps);

@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/stand_ins.h"
+#include "core/gltf/buffers.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/text.h"
+#include "core/state/sample_names.h"
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +13,7 @@ namespace relievo {
 namespace {
 bool isThere(const MapSlot& slot)
 {
-    return slot.file.starts_with("sample:") || pictureMayExist(slot.file);
+    return namesSample(slot.file) || pictureMayExist(slot.file);
 }
 
 bool hasMap(const Material& material, std::size_t kind)
@@ -155,9 +157,11 @@ Expected<Shown> loadWhatIsThere(const State& state, const DecodedImages& images,
     const Shown before = shown;
     const FileStamps stamps = stampsOf(state);
     Resources& loaded = shown.resources;
-    const bool otherMesh = !loaded.mesh || loaded.meshName != state.mesh || shown.stale.contains(state.mesh);
+    const auto isStale = [&](const std::filesystem::path& file) { return shown.stale.contains(file.string()); };
+    const bool staleMesh = isStale(state.mesh) || std::ranges::any_of(buffersBeside(state.mesh), isStale);
+    const bool otherMesh = !loaded.mesh || loaded.meshName != state.mesh || staleMesh;
     const bool otherSky = !loaded.environment || loaded.environmentName != state.environment || shown.stale.contains(state.environment);
-    if (const auto mesh = load(loaded.mesh, loaded.meshName, shown.mesh, state.mesh, shown.stale.contains(state.mesh), "plane",
+    if (const auto mesh = load(loaded.mesh, loaded.meshName, shown.mesh, state.mesh, staleMesh, "plane",
             [&](const std::string& name) { return openMesh(name, progress.part(0.f, 0.2f)); });
         !mesh)
         return tl::unexpected(mesh.error());

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/map_row.h"
+#include "core/state/sample_names.h"
 #include "app/window/document/stand_ins.h"
 #include "app/window/panels/thumbnails.h"
 #include "app/window/widgets/choice_list.h"
@@ -122,7 +123,7 @@ void MapRow::show(const MapSlot& slot, const Material* material)
     setRole(*m_name, m_filled ? "" : "dim");
     setRole(*m_facts, m_missing ? "warning" : "dim");
     const bool scalar = m_kind.channels == 1;
-    m_channel->setVisible(m_filled && !m_missing && scalar && !slot.file.starts_with("sample:"));
+    m_channel->setVisible(m_filled && !m_missing && scalar && !namesSample(slot.file));
     m_channel->setCurrentIndex(int(slot.channel));
     m_invert->setVisible(m_filled && !m_missing && (scalar || m_kind.kind == MapKind::Normal));
     m_invert->setChecked(slot.invert);

@@ -1,8 +1,14 @@
-# Writes each of FILES (resources/exports) as a C++ string into OUT.
+# Writes each of FILES (resources/exports) as a C++ string into OUT. A line {{> NAME}} stands for the text of NAME.part beside it.
 set(out "// Generated from resources/exports by embed_targets.cmake.\n#include \"core/exporters/engines/embedded_targets.h\"\nnamespace relievo {\nconst std::vector<EmbeddedTarget>& embeddedTargets()\n{\n    static const std::vector<EmbeddedTarget> targets = {\n")
 foreach(file IN LISTS FILES)
   file(READ "${file}" text)
   get_filename_component(name "${file}" NAME)
+  get_filename_component(folder "${file}" DIRECTORY)
+  while(text MATCHES "{{> ([a-z-]+)}}\n")
+    set(line "${CMAKE_MATCH_0}")
+    file(READ "${folder}/${CMAKE_MATCH_1}.part" part)
+    string(REPLACE "${line}" "${part}" text "${text}")
+  endwhile()
   string(APPEND out "{\"${name}\", R\"target(${text})target\"},\n")
 endforeach()
 string(APPEND out "};\n    return targets;\n}\n}\n")

@@ -5,6 +5,7 @@
 #include "core/image/material.h"
 #include "core/image/pixels.h"
 #include "core/image/sets/texture_set.h"
+#include "core/state/sample_names.h"
 #include <algorithm>
 #include <tuple>
 
@@ -70,7 +71,7 @@ TextureSet textureSetOf(const std::string& name, const MapSlots& slots, const st
         const MapSlot& slot = slots[std::size_t(row.kind)];
         if (slot.empty())
             continue;
-        if (slot.file.starts_with("sample:")) {
+        if (namesSample(slot.file)) {
             addSampleMap(set, row, slot, slots);
             continue;
         }

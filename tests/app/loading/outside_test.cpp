@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/file_watch.h"
+#include "core/exporters/exporters.h"
 #include "core/image/files/image_file.h"
 #include "core/mesh/mesh.h"
 #include "tests/app/window_support.h"
@@ -147,6 +148,21 @@ TEST_F(OutsideTest, MeshAndPanoramaAreReadAgain)
     write("one.obj", kTriangle);
     EXPECT_TRUE(waitFor([&] { return triangles() == 1; }));
     EXPECT_FALSE(says("not there"));
+}
+
+TEST_F(OutsideTest, WhatAGltfKeepsBesideItIsReadAgain)
+{
+    const ExportJob job{state(), window.assets().resources(), file("box.gltf").toStdString(), 16, {}};
+    ASSERT_TRUE(findExport("gltf")->run(job));
+    window.maps().setMesh(file("box.gltf"));
+    settle();
+    const auto before = window.assets().resources().mesh;
+    ASSERT_EQ(before->name, "box");
+    QByteArray numbers = bytesOf("box.bin");
+    numbers[3] = char(numbers[3] ^ 0x80); // the sign of the first
+    write("box.bin", numbers);
+    EXPECT_TRUE(waitFor([&] { return window.assets().resources().mesh != before; }));
+    EXPECT_TRUE(waitFor([&] { return says("box.bin was changed outside"); }));
 }
 
 TEST_F(OutsideTest, ALayerIsReadAgainWithItsFile)
