@@ -64,7 +64,7 @@ TEST_F(FirstHourTest, EachStepFollowsFromTheOneBefore)
     window.maps().setMesh("torus");
     window.document().edit("Silhouettes", [](State& s) { s.parameters.silhouettes = Silhouettes::Prisms; });
     see("4-prisms");
-    EXPECT_EQ(window.assets().resources().mesh->name, "torus");
+    EXPECT_EQ(window.assets().resources().meshName, "torus");
 
     ExportDialog& dialog = exportTo("gltf");
     dialog.setOut(file("out/ground.glb"));
