@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels/map_row.h"
-#include "core/state/sample_names.h"
 #include "app/window/document/stand_ins.h"
 #include "app/window/panels/thumbnails.h"
 #include "app/window/widgets/choice_list.h"
@@ -10,6 +9,7 @@
 #include "app/window/widgets/elided_label.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
+#include "core/state/sample_names.h"
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
