@@ -61,6 +61,16 @@ void runFile(MainWindow& window, Action action)
         return files.saveAs();
     }
 }
+void runClipboard(MainWindow& window, Action action)
+{
+    if (action == Action::CopyPicture)
+        copyPicture(window.viewport(), window.messages());
+    else if (action == Action::CopyCamera)
+        copyCamera(window.document(), activePane(window));
+    else
+        pasteCamera(window.document(), activePane(window), window.messages());
+}
+
 // In a pane that is not shown, and where nothing is wrong, there is nothing to inspect.
 void inspectWorst(MainWindow& window)
 {
@@ -81,7 +91,6 @@ void inspectWorst(MainWindow& window)
 void runAction(MainWindow& window, Action action, bool on)
 {
     Document& document = window.document();
-    Viewport& viewport = window.viewport();
     switch (action) {
     case Action::New:
     case Action::Open:
@@ -102,11 +111,9 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::Redo:
         return document.undoStack().redo();
     case Action::CopyPicture:
-        return copyPicture(viewport, window.messages());
     case Action::CopyCamera:
-        return copyCamera(document, activePane(window));
     case Action::PasteCamera:
-        return pasteCamera(document, activePane(window), window.messages());
+        return runClipboard(window, action);
     case Action::Wireframe:
         return setWireframe(document, on);
     case Action::TwoPanes:
@@ -121,11 +128,10 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::Loupe:
         return window.loupe().setOn(on);
     case Action::Frame:
-        return moveCamera(window, framed(cameraOf(document.state(), activePane(window))));
     case Action::ResetCamera:
-        return moveCamera(window, framed({}));
+        return moveCamera(window, framed(action == Action::Frame ? cameraOf(document.state(), activePane(window)) : Camera{}));
     case Action::Smoother:
-        return viewport.wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
+        return window.viewport().wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
     case Action::LightTheme:
         return chooseLook(on ? Look::Light : Look::Dark);
     case Action::Panels:

@@ -100,7 +100,7 @@ void viewRayFiles(Assembly& part, const ViewRow& view, const ProgramFeatures& fe
     else
         part.file("view_ray/view_ray_straight.glsl");
     if (isCompared)
-        part.file(features.prisms ? "views/exact_prisms.glsl" : "views/exact_ray.glsl");
+        part.file(features.prisms ? "exact/exact_prisms.glsl" : "exact/exact_ray.glsl");
     part.file(view.showsHoles ? "view_ray/holes_shown.glsl" : isCompared ? "view_ray/holes_exact.glsl" : "view_ray/holes_cut.glsl");
 }
 

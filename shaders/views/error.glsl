@@ -1,7 +1,7 @@
 // View: how far the depth found is from the exact first hit, as a share of the relief's depth.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "views/depth_difference.glsl"
+#include "exact/depth_difference.glsl"
 
 float viewValue(Surface surface)
 {

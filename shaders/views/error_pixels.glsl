@@ -1,7 +1,7 @@
 // View: the way between the place of the texture that is shown and the exact one, in pixels of the picture (footprintOf).
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "views/exact.glsl"
+#include "exact/exact.glsl"
 
 float viewValue(Surface surface)
 {

@@ -1,7 +1,7 @@
 // View: whether the search went through the first surface.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "views/depth_difference.glsl"
+#include "exact/depth_difference.glsl"
 
 const float kMissed = 0.02f; // share of the relief's depth
 

@@ -74,12 +74,6 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     updateOverlays();
 }
 
-void Viewport::wantSamples(int samples)
-{
-    m_atRest->want(samples);
-    refresh(false);
-}
-
 Viewport::~Viewport()
 {
     delete m_navigator; // the focus that is lost at the end is no gesture any more
@@ -99,11 +93,6 @@ void Viewport::resizeGL(int, int)
 {
     updateOverlays();
     refresh(m_shownScale > 0.); // coarse while the window is pulled larger
-}
-
-ShownScene Viewport::scene() const
-{
-    return {m_assets.drawnState(), m_assets.drawnResources(), *m_reference, devicePixelRatioF()};
 }
 
 Navigator::PaneView Viewport::view(std::size_t pane) const

@@ -30,7 +30,7 @@ public:
     // Pictures averaged in what is shown: 0 while the edges are as the pixels fall.
     int smoothSamples() const { return m_pictures ? m_pictures->samples() : 0; }
     const SamplesAtRest& samplesAtRest() const { return m_atRest->samples(); }
-    void wantSamples(int samples);
+    void wantSamples(int samples) { m_atRest->want(samples), refresh(false); }
     bool isFull() const { return !m_stale && m_shownScale >= 1.; } // the picture shown has the full resolution
     // Nothing more to come.
     bool isSettled() const { return isFull() && !m_atRest->isActive() && !m_reference->busy(); }
@@ -56,7 +56,7 @@ protected:
 private:
     std::size_t paneCount() const { return m_document.state().panes.size(); }
     std::vector<PaneArea> areas() const { return m_places->areas(); }
-    ShownScene scene() const;
+    ShownScene scene() const { return {m_assets.drawnState(), m_assets.drawnResources(), *m_reference, devicePixelRatioF()}; }
     Navigator::PaneView view(std::size_t pane) const;
     void documentChanged(Changes what);
     void refresh(bool moving); // a new picture is wanted

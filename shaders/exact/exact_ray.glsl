@@ -1,7 +1,7 @@
 // The exact first hit along the ray that the search was given, straight or bent.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "views/exact.glsl"
+#include "exact/exact.glsl"
 
 Exact exactAlong(Surface surface)
 {

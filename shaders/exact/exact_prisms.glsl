@@ -1,7 +1,7 @@
 // The exact first hit along the ray through prisms that the search was given.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "views/exact.glsl"
+#include "exact/exact.glsl"
 
 Exact exactAlong(Surface surface)
 {

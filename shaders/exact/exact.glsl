@@ -9,7 +9,7 @@ struct Exact {
 Exact exactAnswer = Exact(false, 0.0f, vec2(0.0f));
 bool isExactKnown = false;
 
-Exact exactAlong(Surface surface); // views/exact_ray.glsl or views/exact_prisms.glsl
+Exact exactAlong(Surface surface); // exact/exact_ray.glsl or exact/exact_prisms.glsl
 
 Exact exactOf(Surface surface)
 {
