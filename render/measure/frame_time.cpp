@@ -44,7 +44,7 @@ Expected<std::vector<double>> frameTimes(Renderer& renderer, Resources& resource
     for (int round = 0; round <= rounds.most; ++round)
         for (std::size_t i = 0; i < frames.size(); ++i) {
             const bool isWarm = i > 0 && sameProgram(frames[i], frames[i - 1]);
-            if (round == 0 ? isWarm : std::accumulate(times[i].begin(), times[i].end(), 0.) >= rounds.enough)
+            if (round == 0 ? isWarm : !times[i].empty() && std::accumulate(times[i].begin(), times[i].end(), 0.) >= rounds.enough)
                 continue;
             if (progress.cancelled())
                 return cancelled(frames[i].state.name);

@@ -182,10 +182,9 @@ TEST_F(WindowTest, FlyingTakesTheLettersFromTheMenus)
     Viewport& picture = window.viewport();
     QTest::mousePress(&picture, Qt::RightButton, Qt::NoModifier, {200, 200});
     QTest::keyPress(&picture, Qt::Key_W);
-    QTest::qWait(80);
+    EXPECT_TRUE(waitFor([&] { return state().camera.target.has_value(); }));
     QTest::keyRelease(&picture, Qt::Key_W);
     QTest::mouseRelease(&picture, Qt::RightButton, Qt::NoModifier, {200, 200});
-    EXPECT_TRUE(state().camera.target.has_value());
     EXPECT_EQ(steps(), 0);
 }
 

@@ -26,6 +26,7 @@ public:
     DistancePage& distance() { return *m_distance; }
     void showPage(QWidget& page); // one of these
     QSize sizeHint() const override;
+    bool hasHeightForWidth() const override { return false; } // a page that wraps its lines is no reason for another height
 
 Q_SIGNALS:
     void closed();

@@ -3,13 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/at_rest.h"
 #include "app/window/compare/pane_places.h"
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <utility>
 
 namespace relievo {
 namespace {
 constexpr int kMeasureDelay = 60; // ms from the full picture to the counting of fetches
-constexpr double kSlice = 25; // ms of smoothing between two looks at what the hand does
+constexpr double kSlice = 15; // ms of smoothing between two looks at what the hand does
 } // namespace
 
 AtRest::AtRest(std::function<ShownScene()> scene, PanePlaces& places, QOpenGLWidget* viewport)
@@ -29,6 +30,7 @@ void AtRest::start(PanePictures& pictures, bool isFull)
 {
     m_pictures = &pictures;
     m_counting.clear();
+    m_filled = 0.;
     isFull ? m_measuring.start(kMeasureDelay) : m_filling.start(0);
 }
 
@@ -41,12 +43,15 @@ void AtRest::stop()
 
 void AtRest::fill()
 {
+    QElapsedTimer clock;
+    clock.start();
     m_viewport->makeCurrent();
     const bool isWhole = m_pictures->fillSlice(m_scene(), m_places.areas(), kSlice);
     m_viewport->doneCurrent();
+    m_filled += double(clock.nsecsElapsed()) * 1e-6;
     if (!isWhole)
         return m_filling.start(0);
-    Q_EMIT filled();
+    Q_EMIT filled(m_filled);
 }
 
 // Counts the fetches of what is shown, pane by pane, then smooths the edges.

@@ -31,7 +31,8 @@ public:
     void want(int samples) { m_samples.want(samples); }
 
 Q_SIGNALS:
-    void filled(); // the pictures have full resolution; nothing more is done until they are started so
+    // The pictures have full resolution, which took `ms` of drawing; nothing more is done until they are started so.
+    void filled(double ms);
     void counted(); // measured() is of what is shown
     void smoothed(); // what is shown is smoother
 
@@ -44,6 +45,7 @@ private:
     QOpenGLWidget* m_viewport;
     PanePictures* m_pictures = nullptr;
     SamplesAtRest m_samples;
+    double m_filled = 0.; // ms spent on it
     QTimer m_filling, m_measuring, m_smoothing;
     std::vector<std::optional<Measurement>> m_measured, m_counting; // the second as far as it is
 };

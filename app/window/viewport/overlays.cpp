@@ -252,7 +252,8 @@ QString HeatLegend::summary() const
 {
     if (!m_numbers)
         return {};
-    const auto text = [](double value) { return QString::number(value, 'g', 3); };
+    // What is next to nothing on this scale is nothing.
+    const auto text = [this](double value) { return value < 1e-4 * m_max ? QString("0") : QString::number(value, 'g', 3); };
     return tr("mean %1    99 % %2    most %3").arg(text(m_numbers->mean), text(m_numbers->p99), text(m_numbers->most));
 }
 

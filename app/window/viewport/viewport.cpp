@@ -50,7 +50,8 @@ Viewport::Viewport(Document& document, Assets& assets, Messages& messages, QWidg
     connect(&assets, &Assets::earlyChanged, this, [this] { refresh(m_assets.drawsEarly()); });
     connect(m_reference, &MeshReference::progressed, this, &Viewport::updateOverlays);
     connect(m_reference, &MeshReference::made, this, [this] { refresh(false); });
-    connect(m_atRest, &AtRest::filled, this, [this] {
+    connect(m_atRest, &AtRest::filled, this, [this](double ms) {
+        m_pacer.took(ms, 1.);
         m_shownScale = 1.;
         update();
         if (m_assets.ready())
