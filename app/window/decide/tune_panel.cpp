@@ -174,7 +174,8 @@ QLayout* TunePanel::result()
     m_proof->setColumnCount(5);
     m_proof->setHorizontalHeaderLabels({tr("View"), tr("Fetches"), tr("Most"), tr("Error"), tr("Missed")});
     m_proof->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_proof->horizontalHeader()->setStretchLastSection(true);
+    m_proof->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_proof->setStyleSheet("QHeaderView::section { padding: 3px; } QTableView::item { padding: 0 2px; }"); // five columns in a narrow dock
     m_proof->horizontalHeaderItem(3)->setToolTip(tr("RMSE of the depth, share of the relief's depth"));
     m_proof->horizontalHeaderItem(4)->setToolTip(tr("Rays that go through the first surface, %"));
     m_proof->setMinimumHeight(48);
