@@ -13,6 +13,7 @@
 #include "app/window/panels/drop_note.h"
 #include "app/window/panels/map_panel.h"
 #include "app/window/panels/message_line.h"
+#include "app/window/panels/pane_menu.h"
 #include "app/window/panels/parameter_panel.h"
 #include "app/window/run_action.h"
 #include "app/window/viewport/viewport.h"
@@ -96,8 +97,7 @@ void MainWindow::updateTitle()
 
 void MainWindow::setTechnique(std::string_view key)
 {
-    const std::size_t pane = std::size_t(m_viewport->activePane());
-    m_document.edit(tr("Technique %1").arg(qt(findTechnique(key)->label)), [&](State& state) { state.panes[pane].technique = key; });
+    chooseTechnique(m_document, std::size_t(m_viewport->activePane()), *findTechnique(key));
 }
 
 void MainWindow::setView(std::string_view key)

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact/depth_difference.glsl"
 
-const float kMissed = 0.02f; // share of the relief's depth
+const float kMissed = 0.02f; // share of the relief's depth: kMissedDepth of render/measure/picture_errors.h
 
 float viewValue(Surface surface)
 {

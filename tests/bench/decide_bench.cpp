@@ -1,6 +1,7 @@
 // How soon the plot of speed against error is filled, coarse and in full, cold and from kept maps, and whether dragging stays fluid beside
-// it. Usage: decide_bench [SOURCE] [WIDTHxHEIGHT]; RELIEVO_CACHE names an empty folder for the cold run. SPDX-FileCopyrightText: The
-// Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
+// it. Usage: decide_bench [SOURCE] [WIDTHxHEIGHT]; RELIEVO_CACHE names an empty folder for the cold run.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/decide/decide_dock.h"
 #include "app/window/decide/speed_page.h"
 #include "app/window/docks.h"
@@ -8,27 +9,14 @@
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/theme.h"
 #include "core/maps/map_cache.h"
+#include "tests/bench/bench_window.h"
 #include <QAction>
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QMouseEvent>
-#include <QSurfaceFormat>
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <vector>
 
 namespace {
 using namespace relievo;
-
-double workUntil(const std::function<bool()>& done, int limit = 300000) // seconds that it took
-{
-    QElapsedTimer clock;
-    clock.start();
-    while (!done() && clock.elapsed() < limit)
-        QApplication::processEvents(QEventLoop::AllEvents, 1);
-    return double(clock.nsecsElapsed()) * 1e-9;
-}
 
 void fill(MainWindow& window, const char* name)
 {
@@ -37,16 +25,11 @@ void fill(MainWindow& window, const char* name)
     clock.start();
     window.action("speed-error")->trigger();
     double coarse = 0.;
-    double longest = 0.; // between two turns of the event loop
-    while (clock.elapsed() < 300000 && (sweep.busy() || sweep.points().empty())) {
-        QElapsedTimer turn;
-        turn.start();
-        QApplication::processEvents(QEventLoop::AllEvents, 1);
-        longest = std::max(longest, double(turn.nsecsElapsed()) * 1e-6);
-        const auto& points = sweep.points();
-        if (coarse == 0. && points.size() > 80)
+    const double longest = workUntil([&] {
+        if (coarse == 0. && sweep.points().size() > 80)
             coarse = double(clock.nsecsElapsed()) * 1e-9;
-    }
+        return !sweep.busy() && !sweep.points().empty();
+    });
     std::printf("%s: %zu settings, all coarse after %.1f s, all sharp after %.1f s; longest turn of the event loop %.0f ms\n", name,
         sweep.points().size(), coarse, double(clock.nsecsElapsed()) * 1e-9, longest);
     window.action("speed-error")->trigger();
@@ -58,24 +41,18 @@ double drag(MainWindow& window)
     Viewport& viewport = window.viewport();
     int shown = 0;
     const auto count = QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, [&] { ++shown; });
-    const auto mouse = [&](QEvent::Type type, QPointF at) {
-        const bool released = type == QEvent::MouseButtonRelease;
-        QMouseEvent event(type, at, viewport.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
-            released ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(&viewport, &event);
-    };
     QPointF at(200, 100);
-    mouse(QEvent::MouseButtonPress, at);
+    mouse(viewport, QEvent::MouseButtonPress, at);
     QElapsedTimer clock;
     clock.start();
     while (clock.elapsed() < 2000) {
         const int before = shown;
         at += QPointF(clock.elapsed() < 1000 ? 3 : -3, 0);
-        mouse(QEvent::MouseMove, at);
+        mouse(viewport, QEvent::MouseMove, at);
         workUntil([&] { return shown > before; }, 2000);
     }
     const double rate = shown / (double(clock.nsecsElapsed()) * 1e-9);
-    mouse(QEvent::MouseButtonRelease, at);
+    mouse(viewport, QEvent::MouseButtonRelease, at);
     QObject::disconnect(count);
     return rate;
 }
@@ -83,12 +60,7 @@ double drag(MainWindow& window)
 
 int main(int argc, char** argv)
 {
-    QSurfaceFormat format;
-    format.setVersion(4, 1);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
-    QCoreApplication::setOrganizationName("relievo-bench");
+    prepareWindows();
     QApplication application(argc, argv);
     const QStringList arguments = application.arguments();
     const QStringList size = arguments.value(2, "1280x800").split('x');

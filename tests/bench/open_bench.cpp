@@ -5,25 +5,13 @@
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/theme.h"
 #include "core/image/files/image_file.h"
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QSurfaceFormat>
+#include "tests/bench/bench_window.h"
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <vector>
 
 namespace {
 using namespace relievo;
-
-bool workUntil(const std::function<bool()>& done)
-{
-    QElapsedTimer clock;
-    clock.start();
-    while (!done() && clock.elapsed() < 60000)
-        QApplication::processEvents(QEventLoop::AllEvents, 1);
-    return done();
-}
 
 double median(std::vector<double> values)
 {
@@ -63,12 +51,7 @@ Times open(MainWindow& window, const QString& source)
 
 int main(int argc, char** argv)
 {
-    QSurfaceFormat format;
-    format.setVersion(4, 1);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
-    QCoreApplication::setOrganizationName("relievo-bench");
+    prepareWindows();
     QApplication application(argc, argv);
     const QStringList arguments = application.arguments(), size = arguments.value(2, "1600x1000").split('x');
     applyLook(application, Look::Dark);
@@ -79,7 +62,9 @@ int main(int argc, char** argv)
     std::vector<double> first, whole, full;
     for (int run = 0; run < 5; ++run) {
         window.assets().openDocument("sample:bricks@16", startingScene());
-        if (!workUntil([&] { return window.assets().ready() && !window.assets().background().busy() && window.viewport().isFull(); })) {
+        const auto shown = [&] { return window.assets().ready() && !window.assets().background().busy() && window.viewport().isFull(); };
+        workUntil(shown, 60000);
+        if (!shown()) {
             std::fprintf(stderr, "the window shows no picture\n");
             return 1;
         }

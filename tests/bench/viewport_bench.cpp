@@ -8,47 +8,13 @@
 #include "app/window/main_window.h"
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/theme.h"
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QMouseEvent>
-#include <QSurfaceFormat>
+#include "tests/bench/bench_window.h"
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <vector>
 
 namespace {
 using namespace relievo;
-
-bool workUntil(const std::function<bool()>& done, int limit = 20000)
-{
-    QElapsedTimer clock;
-    clock.start();
-    while (!done() && clock.elapsed() < limit)
-        QApplication::processEvents(QEventLoop::AllEvents, 1);
-    return done();
-}
-
-void mouse(QWidget& widget, QEvent::Type type, QPointF at)
-{
-    const Qt::MouseButtons buttons = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
-    const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
-    QMouseEvent event(type, at, widget.mapToGlobal(at), button, buttons, Qt::NoModifier);
-    QApplication::sendEvent(&widget, &event);
-}
-
-// ms, until `done` or two minutes are over.
-double longestTurn(const std::function<bool()>& done)
-{
-    double longest = 0.;
-    QElapsedTimer whole, turn;
-    for (whole.start(); !done() && whole.elapsed() < 120000;) {
-        turn.start();
-        QApplication::processEvents(QEventLoop::AllEvents, 1);
-        longest = std::max(longest, double(turn.nsecsElapsed()) * 1e-6);
-    }
-    return longest;
-}
 
 double median(std::vector<double> values)
 {
@@ -96,12 +62,7 @@ Drag drag(MainWindow& window, int frames)
 
 int main(int argc, char** argv)
 {
-    QSurfaceFormat format;
-    format.setVersion(4, 1);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
-    QCoreApplication::setOrganizationName("relievo-bench");
+    prepareWindows();
     QApplication application(argc, argv);
     const QStringList arguments = application.arguments();
     const QStringList size = arguments.value(1, "1280x800").split('x');
@@ -114,7 +75,9 @@ int main(int argc, char** argv)
     state.panes[0].technique = arguments.value(3, "relief").toStdString();
     setPaneCount(state, std::size_t(std::max(1, arguments.value(4, "1").toInt())));
     window.assets().openDocument("sample:bricks", state);
-    if (!workUntil([&] { return window.assets().ready() && window.viewport().isSettled(); })) {
+    const auto settled = [&] { return window.assets().ready() && window.viewport().isSettled(); };
+    workUntil(settled, 20000);
+    if (!settled()) {
         std::fprintf(stderr, "the window shows no picture\n");
         return 1;
     }
@@ -128,11 +91,11 @@ int main(int argc, char** argv)
         workUntil([&] { return window.viewport().isSettled(); });
     }
     window.document().edit("Light", [](State& s) { s.parameters.lightYaw += 20.f; });
-    std::printf("at rest: longest turn of the event loop %.0f ms\n", longestTurn([&] { return window.viewport().isSettled(); }));
+    std::printf("at rest: longest turn of the event loop %.0f ms\n", workUntil([&] { return window.viewport().isSettled(); }));
     window.assets().openDocument("sample:bricks@2048", state);
     workUntil([&] { return window.assets().ready() && window.viewport().isSettled(); });
     window.setTechnique("cone-relaxed");
     std::printf("while a cone map of 2048 x 2048 is baked: longest turn %.0f ms\n",
-        longestTurn([&] { return !window.assets().background().busy() && window.viewport().isSettled(); }));
+        workUntil([&] { return !window.assets().background().busy() && window.viewport().isSettled(); }));
     return 0;
 }

@@ -25,6 +25,7 @@
 #include "app/window/widgets/theme.h"
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QLineEdit>
@@ -221,6 +222,21 @@ const Scene kScenes[] = {
             panes(window, {Pane{"parallax"}, Pane{"cell-cone"}});
             window.action("loupe")->trigger();
             pointAt(window, {0.3, 0.5});
+        }},
+    {"histogram", {1280, 800}, Look::Light,
+        [](MainWindow& window) {
+            panes(window, {Pane{"steep", {}, "error"}, Pane{"relief", {}, "error-pixels"}});
+            for (HeatLegend* legend : window.viewport().findChildren<HeatLegend*>()) {
+                QEnterEvent enter({}, {}, {});
+                QApplication::sendEvent(legend, &enter);
+            }
+            window.action("worst-point")->trigger();
+            workUntil([&] { return !window.docks().inspector().busy(); });
+        }},
+    {"manual", {1280, 800}, Look::Dark,
+        [](MainWindow& window) {
+            window.action("manual")->trigger();
+            window.findChild<QDialog*>("manual")->move(100, 60);
         }},
     {"zoom", {1280, 800}, Look::Dark,
         [](MainWindow& window) {

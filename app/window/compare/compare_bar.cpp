@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/compare/compare_bar.h"
 #include "app/window/document/document.h"
+#include "app/window/panels/pane_menu.h"
 #include "app/window/viewport/overlays.h"
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/choice_list.h"
@@ -74,7 +75,10 @@ CompareBar::CompareBar(Document& document, Viewport& viewport)
     connect(m_second, &QComboBox::activated, this, [this](int pane) { choosePair(std::size_t(pane), true); });
     connect(m_gain, &QComboBox::activated, this, [&inPlace](int index) { inPlace.setGain(float(1 << index)); });
     connect(m_sense, &QComboBox::activated, this, [&inPlace](int index) { inPlace.setSigned(index == 1); });
-    connect(&document, &Document::changed, this, &CompareBar::follow);
+    connect(&document, &Document::changed, this, [this](Changes what) {
+        if (what & Change::Panes)
+            follow();
+    });
     connect(&document, &Document::started, this, [this] { m_furtherPanes.forget(); });
     connect(&viewport.places(), &PanePlaces::arranged, this, &CompareBar::follow);
     connect(&viewport.places(), &PanePlaces::composed, this, &CompareBar::follow);
@@ -112,8 +116,7 @@ void CompareBar::swap()
 {
     const auto [first, second] = m_viewport.places().inPlace().pair();
     if (first != second)
-        m_document.edit(
-            tr("Swap %1 and %2").arg(paneLetter(first), paneLetter(second)), [&](State& state) { swapPanes(state, first, second); });
+        swapPanes(m_document, first, second);
 }
 
 void CompareBar::setMode(int index)

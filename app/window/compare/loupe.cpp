@@ -97,8 +97,10 @@ Loupe::Loupe(Document& document, Assets& assets, Viewport& viewport)
     connect(
         &viewport, &Viewport::painted, this,
         [this](bool full) {
+            if (!m_isOn)
+                return;
             look();
-            if (m_isOn && full && m_foundAt && m_at && *m_foundAt != pointAt(m_viewport, *m_at))
+            if (full && m_foundAt && m_at && *m_foundAt != pointAt(m_viewport, *m_at))
                 m_rest.start();
         },
         Qt::QueuedConnection); // not while it paints

@@ -35,7 +35,7 @@ QString number(double value)
 
 void applySetting(Document& document, std::size_t pane, const SearchSetting& setting)
 {
-    document.edit(QObject::tr("%1").arg(qt(setting.label)), [&](State& state) {
+    document.edit(qt(setting.label), [&](State& state) {
         const Scope scope = state.panes.size() > 1 ? Scope(pane) : kAllPanes;
         for (const ParameterRow& row : kParameters)
             if (const Value value = get(setting.parameters, row);

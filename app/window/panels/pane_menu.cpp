@@ -6,7 +6,9 @@
 #include "app/window/document/editing.h"
 #include "app/window/viewport/overlays.h"
 #include "app/window/widgets/text.h"
+#include "core/state/techniques.h"
 #include <QMenu>
+#include <algorithm>
 
 namespace relievo {
 namespace {
@@ -75,7 +77,7 @@ void fillPaneMenu(QMenu& menu, Document& document, std::size_t pane, const std::
     for (std::size_t other = 0; other < count; ++other)
         if (other != pane)
             add(menu, qPrintable("swap-" + paneLetter(other)), tr("Swap with %1").arg(paneLetter(other)), tr("They change their places"),
-                [=] { edit(tr("Swap %1 and %2").arg(paneLetter(pane), paneLetter(other)), [=](State& s) { swapPanes(s, pane, other); }); });
+                [&document, pane, other] { swapPanes(document, pane, other); });
     menu.addSeparator();
     const bool linked = isLinked(state, pane);
     QAction* own = add(menu, "own-camera", tr("Own camera and light"), tr("It moves alone, and its light turns alone"),
@@ -84,6 +86,22 @@ void fillPaneMenu(QMenu& menu, Document& document, std::size_t pane, const std::
     own->setChecked(!linked);
     menu.addSeparator();
     addOwnValues(menu, document, pane, ownValuesWanted);
+}
+
+void chooseTechnique(Document& document, std::size_t pane, const TechniqueRow& technique)
+{
+    document.edit(tr("Technique %1").arg(qt(technique.label)), [&](State& state) {
+        if (pane < state.panes.size())
+            state.panes[pane].technique = technique.key;
+    });
+}
+
+void swapPanes(Document& document, std::size_t one, std::size_t other)
+{
+    document.edit(tr("Swap %1 and %2").arg(paneLetter(one), paneLetter(other)), [&](State& state) {
+        if (std::max(one, other) < state.panes.size())
+            swapPanes(state, one, other);
+    });
 }
 
 void fillPaneCounts(QMenu& menu, std::size_t current, const std::function<void(std::size_t)>& chosen)

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/pane_drops.h"
 #include "app/window/document/document.h"
-#include "app/window/document/editing.h"
+#include "app/window/panels/pane_menu.h"
 #include "app/window/viewport/overlays.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
@@ -101,10 +101,10 @@ void PaneDrops::drop(const QDropEvent& event)
     const std::size_t onto = m_paneAt(event.position());
     const std::size_t count = m_document.state().panes.size();
     if (const TechniqueRow* row = findTechnique(event.mimeData()->data(kTechnique).toStdString()))
-        return m_document.edit(tr("Technique %1").arg(qt(row->label)), [&](State& state) { state.panes[onto].technique = row->key; });
+        return chooseTechnique(m_document, onto, *row);
     const std::size_t from = event.mimeData()->data(kPane).toULongLong();
     if (event.mimeData()->hasFormat(kPane) && from < count && from != onto)
-        m_document.edit(tr("Swap %1 and %2").arg(paneLetter(from), paneLetter(onto)), [&](State& state) { swapPanes(state, from, onto); });
+        swapPanes(m_document, from, onto);
 }
 
 } // namespace relievo

@@ -160,12 +160,7 @@ void popUpUnder(QWidget& button, const std::function<void(QMenu&)>& fill)
 void PaneOverlays::chooseTechnique(std::size_t pane)
 {
     m_wishes.pressed(pane);
-    const auto choose = [this, pane](const TechniqueRow& row) {
-        m_document.edit(QObject::tr("Technique %1").arg(qt(row.label)), [&](State& state) {
-            if (pane < state.panes.size())
-                state.panes[pane].technique = row.key;
-        });
-    };
+    const auto choose = [this, pane](const TechniqueRow& row) { relievo::chooseTechnique(m_document, pane, row); };
     popUpUnder(
         *m_captions[pane]->technique(), [&](QMenu& menu) { fillTechniques(menu, m_document.state().panes[pane].technique, choose); });
 }
