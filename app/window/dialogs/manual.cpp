@@ -8,7 +8,11 @@
 #include <QDialog>
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
+#include <QTextList>
+#include <QTextTable>
 #include <array>
 #include <string_view>
 
@@ -33,12 +37,44 @@ QUrl urlOf(const PageRow& row)
     return QUrl("qrc:/resources/help/" + qt(row.file));
 }
 
+// Markdown comes without room between paragraphs, and tables with lines around each cell.
+void giveRoom(QTextDocument& page, const QPalette& palette)
+{
+    QTextCursor cursor(&page);
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
+        cursor.setPosition(block.position());
+        if (cursor.currentTable())
+            continue;
+        QTextBlockFormat format = block.blockFormat();
+        format.setTopMargin(format.headingLevel() > 0 ? 3 * kGrid : 0);
+        format.setBottomMargin(block.textList() ? kGrid : 2 * kGrid);
+        cursor.setBlockFormat(format);
+    }
+    for (QTextFrame* frame : page.rootFrame()->childFrames())
+        if (auto* table = qobject_cast<QTextTable*>(frame)) {
+            QTextTableFormat format = table->format();
+            format.setBorderCollapse(true);
+            format.setBorder(1);
+            format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+            format.setBorderBrush(lineColor(palette));
+            format.setCellPadding(kGrid);
+            format.setBottomMargin(3 * kGrid);
+            table->setFormat(format);
+        }
+}
+
+void open(QTextBrowser& text, const QUrl& page)
+{
+    text.setSource(page, QTextDocument::MarkdownResource);
+    giveRoom(*text.document(), text.palette());
+}
+
 // A page of the manual here, anything else where the system opens it.
 void follow(QTextBrowser& text, const QUrl& link)
 {
     const QUrl url = text.source().resolved(link);
     if (url.scheme() == "qrc" && url.path().endsWith(".md"))
-        text.setSource(url, QTextDocument::MarkdownResource);
+        open(text, url);
     else if (url.scheme() == "qrc" && url.hasFragment())
         text.scrollToAnchor(url.fragment());
     else if (url.scheme() != "qrc")
@@ -64,10 +100,10 @@ void showManual(QWidget* parent)
     text->setOpenLinks(false);
     text->setAccessibleName(QObject::tr("Page"));
     text->document()->setDocumentMargin(4 * kGrid);
+    pages->setStyleSheet(QString("QListWidget::item { padding: %1px %2px; }").arg(kGrid).arg(2 * kGrid));
     for (const PageRow& row : kPages)
         pages->addItem(qt(row.title));
-    QObject::connect(pages, &QListWidget::currentRowChanged, text,
-        [text](int index) { text->setSource(urlOf(kPages[std::size_t(index)]), QTextDocument::MarkdownResource); });
+    QObject::connect(pages, &QListWidget::currentRowChanged, text, [text](int index) { open(*text, urlOf(kPages[std::size_t(index)])); });
     QObject::connect(text, &QTextBrowser::anchorClicked, text, [text](const QUrl& link) { follow(*text, link); });
     QObject::connect(text, &QTextBrowser::sourceChanged, pages, [pages](const QUrl& url) {
         const QSignalBlocker still(pages);

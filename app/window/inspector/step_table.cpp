@@ -31,6 +31,7 @@ StepTable::StepTable(QWidget* parent) : QTableWidget(parent)
     setHorizontalHeaderLabels({tr("Step"), tr("From"), tr("To"), tr("Height"), tr("Gap"), tr("Fetches")});
     horizontalHeaderItem(4)->setToolTip(tr("How far the ray is above the relief, share of the depth"));
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    setStyleSheet("QHeaderView::section { padding: 3px; }"); // six columns in a narrow dock
     verticalHeader()->setDefaultSectionSize(20);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);

@@ -9,7 +9,7 @@
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/theme.h"
 #include "core/maps/map_cache.h"
-#include "tests/bench/bench_window.h"
+#include "tests/bench/window/bench_window.h"
 #include <QAction>
 #include <algorithm>
 #include <cstdio>

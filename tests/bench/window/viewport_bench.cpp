@@ -8,7 +8,7 @@
 #include "app/window/main_window.h"
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/theme.h"
-#include "tests/bench/bench_window.h"
+#include "tests/bench/window/bench_window.h"
 #include <algorithm>
 #include <cstdio>
 #include <vector>

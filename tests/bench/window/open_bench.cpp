@@ -5,7 +5,7 @@
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/theme.h"
 #include "core/image/files/image_file.h"
-#include "tests/bench/bench_window.h"
+#include "tests/bench/window/bench_window.h"
 #include <algorithm>
 #include <cstdio>
 #include <vector>
