@@ -129,6 +129,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         if (view->light == ViewLight::All) {
             part.file(features.exported && !features.panorama ? "shading/ambient.glsl" : "shading/environment.glsl");
             variantFiles(part, features, ShaderPlace::Light);
+            part.file("shading/lights_one.glsl").file("shading/shade.glsl");
         }
         part.file(features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
     };

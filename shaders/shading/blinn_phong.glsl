@@ -1,18 +1,28 @@
 // Blinn-Phong shading, as the relief mapping papers light their pictures: ambient, diffuse and a highlight by the half vector.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-vec3 shade(Surface surface)
+struct ShadingPoint {
+    vec3 normal;
+    vec3 toEye;
+    vec3 diffuse;
+    vec3 highlight;
+};
+
+ShadingPoint shadingPointOf(Surface surface)
 {
     vec2 uv = surface.hit.uv;
-    vec3 n = reliefNormal(surface);
-    vec3 base = colorAt(uv, surface.footprint) * tint;
-    float occlusion = mix(1.0f, aoAt(uv, surface.footprint), aoStrength);
-    vec3 color = base * irradiance(n) * (environmentIntensity * occlusion) + emissionAt(uv, surface.footprint) * emission;
-    float nl = dot(n, lightDirection);
-    if (nl > 0.0f) {
-        float nh = max(dot(n, normalize(lightDirection + surface.toEye)), 0.0f);
-        vec3 highlight = specularAt(uv, surface.footprint) * (specular * pow(nh, shininess));
-        color += (base * nl + highlight) * lightColor * (lightIntensity * min(lightReaching(surface), lightPassing(surface)));
-    }
-    return color;
+    return ShadingPoint(
+        reliefNormal(surface), surface.toEye, colorAt(uv, surface.footprint) * tint, specularAt(uv, surface.footprint) * specular);
+}
+
+// What is reflected of a light whose irradiance over pi is 1, as a share.
+vec3 reflected(ShadingPoint point, vec3 toLight)
+{
+    float nh = max(dot(point.normal, normalize(toLight + point.toEye)), 0.0f);
+    return point.diffuse * dot(point.normal, toLight) + point.highlight * pow(nh, shininess);
+}
+
+vec3 reflectedSurroundings(ShadingPoint point)
+{
+    return point.diffuse * irradiance(point.normal);
 }
