@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/draw_request.h"
-#include <algorithm>
 #include <utility>
 
 namespace relievo {
@@ -13,7 +12,7 @@ DrawRequest::DrawRequest(const State& state, std::size_t pane, const Resources& 
     , m_resources(resources)
     , m_target(target)
     , m_view(!view.empty() || pane >= state.panes.size() ? view : state.panes[pane].view)
-    , m_camera(cameraOnto(*resources.mesh, cameraOf(state, pane), float(target.width) / float(std::max(target.height, 1))))
+    , m_camera(cameraOnto(*resources.mesh, cameraOf(state, pane), aspectOf(target)))
 {
 }
 

@@ -7,6 +7,7 @@
 #include "render/pane_values.h"
 #include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/ext/vector_float2.hpp>
 #include <glm/mat4x4.hpp>
 
 namespace relievo {
@@ -31,11 +32,35 @@ const LinkedProgram* DrawContext::polygonProgramFor(bool posed, std::optional<Er
 }
 
 namespace {
-// The camera's projection with the picture shifted by the target's jitter.
-CameraView jittered(CameraView camera, const Target& target)
+constexpr float kHalfSensor = 0.012f; // m, of a 35 mm camera's picture, upwards
+
+// Seen from a point of the lens: what lies in focus stays where it is in the picture.
+CameraView throughLens(CameraView camera, const Parameters& parameters, glm::vec2 lens)
 {
-    const glm::vec3 shift(2.f * target.jitter.x / float(target.width), 2.f * target.jitter.y / float(std::max(target.height, 1)), 0.f);
-    camera.clipFromView = glm::translate(glm::mat4(1.f), shift) * camera.clipFromView;
+    const float focalLength = kHalfSensor * camera.clipFromView[1][1],
+                focus = parameters.focusDistance > 0.f ? parameters.focusDistance : camera.distance;
+    const glm::vec2 off = lens * (0.5f * focalLength / parameters.fStop);
+    camera.eye += camera.right * off.x + camera.up * off.y;
+    glm::mat4 moved(1.f);
+    moved[3] = glm::vec4(-off, 0.f, 1.f);
+    moved[2] = glm::vec4(-off / focus, 1.f, 0.f);
+    camera.viewFromWorld = moved * camera.viewFromWorld;
+    return camera;
+}
+
+// The camera of this very picture: shifted by the target's jitter, from a point of the lens, of a tile.
+CameraView shotCamera(CameraView camera, const Frame& frame)
+{
+    const Target& target = frame.request.target();
+    if (frame.parameters.fStop > 0.f && target.lens != glm::vec2(0.f) && frame.view.isColor)
+        camera = throughLens(camera, frame.parameters, target.lens);
+    const glm::vec2 size(std::max(target.width, 1), std::max(target.height, 1));
+    if (target.wholeWidth > 0) {
+        const glm::vec2 whole(target.wholeWidth, target.wholeHeight), corner(target.left, target.below);
+        const glm::mat4 to = glm::translate(glm::mat4(1.f), glm::vec3((whole - 2.f * corner - size) / size, 0.f));
+        camera.clipFromView = glm::scale(to, glm::vec3(whole / size, 1.f)) * camera.clipFromView;
+    }
+    camera.clipFromView = glm::translate(glm::mat4(1.f), glm::vec3(2.f * target.jitter / size, 0.f)) * camera.clipFromView;
     return camera;
 }
 
@@ -43,7 +68,8 @@ SceneUniforms uniformsOf(const Frame& frame)
 {
     const Target& target = frame.request.target();
     SceneUniforms uniforms
-        = sceneUniforms(frame.parameters, jittered(frame.request.camera(), target), frame.request.resources().mesh->metresPerUV);
+        = sceneUniforms(frame.parameters, shotCamera(frame.request.camera(), frame), frame.request.resources().mesh->metresPerUV);
+    uniforms.lookDirection = (frame.request.camera().target - frame.request.camera().eye) / frame.request.camera().distance;
     uniforms.pushOut = frame.technique.displaces ? (1.f - frame.parameters.midlevel) * uniforms.reliefDepth : 0.f;
     uniforms.heatScale = 1.f / heatRange(frame.parameters, frame.view);
     uniforms.sampleTurn = target.jitter.x;

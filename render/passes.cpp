@@ -143,11 +143,13 @@ bool wantsBackground(const Frame& frame)
 
 void drawBackground(DrawContext& context, Frame& frame)
 {
-    const bool linear = frame.request.target().linear;
     const Backdrop behind = frame.parameters.background;
+    std::string name = "background/" + std::string(wordOf(behind)) + (frame.features.linear ? "/linear" : "");
+    for (const ParameterRow& row : kParameters)
+        if (row.shader.place == ShaderPlace::Display)
+            name += '/' + std::to_string(frame.features.variant(row.member));
     const LinkedProgram* program = context.programs.get(
-        "background/" + std::string(wordOf(behind)) + (linear ? "/linear" : ""),
-        [&](const ShaderReader& read) { return backgroundProgram(behind, linear, read); }, frame.error);
+        name, [&](const ShaderReader& read) { return backgroundProgram(behind, frame.features, read); }, frame.error);
     if (!program)
         return;
     useProgram(context, frame, *program, frame.uniforms);

@@ -38,9 +38,13 @@ Expected<void> Renderer::draw(const DrawRequest& request)
     clearTarget(effectiveParameters(request.state(), request.pane()), target, view && view->isHeat);
     if (const auto drawable = canBeDrawnTo(target.width, target.height); !drawable)
         return drawable;
+    const Expected<float> exposure = meteredExposure(request);
+    if (!exposure)
+        return tl::unexpected(exposure.error());
     auto frame = prepareFrame(m->context, request);
     if (!frame)
         return tl::unexpected(frame.error());
+    frame->uniforms.exposureFactor *= *exposure;
     for (const PassRow& pass : kPasses)
         if (pass.isWanted(*frame))
             pass.draw(m->context, *frame);
@@ -54,6 +58,41 @@ Expected<void> Renderer::draw(const DrawRequest& request)
     if (frame->error)
         return tl::unexpected(*frame->error);
     return {};
+}
+
+// The whole picture's, however small a part of it is drawn, and of the mesh alone.
+Expected<float> Renderer::meteredExposure(const DrawRequest& request)
+{
+    constexpr int kSide = 64;
+    constexpr float kMiddleGrey = 0.18f, kDarkest = 1e-4f; // what is darker counts as this
+    const ViewRow* view = findView(request.view());
+    const Target& target = request.target();
+    if (!view || !view->isColor || view->light == ViewLight::None || target.linear || request.pane() >= request.state().panes.size())
+        return 1.f;
+    State state = request.state();
+    state.parameters = effectiveParameters(state, request.pane());
+    if (!state.parameters.autoExposure)
+        return 1.f;
+    state.panes[request.pane()].overrides.clear();
+    state.parameters.background = Backdrop::Transparent;
+    state.parameters.wireframe = false;
+    const float aspect = aspectOf(target);
+    const int width = std::max(1, int(std::min(1.f, aspect) * kSide)), height = std::max(1, int(std::min(1.f, 1.f / aspect) * kSide));
+    if (const auto made = m->measuring.resize(width, height, true); !made)
+        return tl::unexpected(made.error());
+    const Target measured{.framebuffer = m->measuring.handle(), .width = width, .height = height, .linear = true, .isPassing = true};
+    if (const auto drawn = draw({state, request.pane(), request.resources(), measured, view->key}); !drawn)
+        return tl::unexpected(drawn.error());
+    m->pixels.resize(std::size_t(width) * std::size_t(height) * 4);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, m->pixels.data());
+    bindTarget(target);
+    double sum = 0., covered = 0.;
+    for (std::size_t i = 0; i < m->pixels.size(); i += 4) {
+        const float light = 0.2126f * m->pixels[i] + 0.7152f * m->pixels[i + 1] + 0.0722f * m->pixels[i + 2];
+        if (m->pixels[i + 3] > 0.5f && std::isfinite(light))
+            sum += double(std::log2(std::max(light, kDarkest))), covered += 1.;
+    }
+    return covered > 0. ? kMiddleGrey / std::exp2(float(sum / covered)) : 1.f;
 }
 
 Expected<Measurement> Renderer::measure(const State& state, std::size_t pane, const Resources& resources, float aspect)

@@ -35,6 +35,7 @@ struct Measurement {
     double meanFetches = 0, maxFetches = 0; // texture reads of the search
     double covered = 0; // share of pixels
     std::optional<ViewNumbers> shown = {}; // of heat views, where it was asked for
+    double ms = 0; // that the picture took in full resolution; 0: not timed
 };
 
 // Holds the uploads and programs of one context; all calls need that context (or one that shares with it) to be current.
@@ -64,6 +65,7 @@ public:
 
 private:
     struct Impl;
+    Expected<float> meteredExposure(const DrawRequest& request); // what Parameters::autoExposure multiplies light by; 1 without
     std::unique_ptr<Impl> m;
 };
 

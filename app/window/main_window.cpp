@@ -65,6 +65,7 @@ void MainWindow::connectAll()
     connect(m_docks.get(), &Docks::closed, this, [this](Action action) { m_top->action(action)->setChecked(false); });
     connect(m_top, &TopBar::techniqueChosen, this, [this](const TechniqueRow& row) { setTechnique(row.key); });
     connect(m_top, &TopBar::viewChosen, this, [this](const ViewRow& row) { setView(row.key); });
+    connect(m_top, &TopBar::fieldOfViewChosen, this, [this](float degrees) { setFieldOfView(*this, degrees); });
     connect(m_top, &TopBar::paneCountChosen, m_compare, qOverload<std::size_t>(&CompareBar::showPanes));
     connect(m_viewport, &Viewport::activePaneChanged, this, &MainWindow::documentChanged);
     connect(m_viewport, &Viewport::ownValuesWanted, this, [this](std::size_t pane) { m_parameters->setScope(pane); });
@@ -82,7 +83,7 @@ void MainWindow::documentChanged()
 {
     const State& state = m_document.state();
     const Pane& active = state.panes[std::min(std::size_t(m_viewport->activePane()), state.panes.size() - 1)];
-    m_top->tick(active.technique, active.view, state.panes.size());
+    m_top->tick(active.technique, active.view, state.panes.size(), cameraOf(state, std::size_t(m_viewport->activePane())).fov);
     m_top->action(Action::TwoPanes)->setChecked(state.panes.size() > 1);
     m_top->action(Action::Wireframe)->setChecked(state.parameters.wireframe);
     for (const Action action : {Action::Wipe, Action::Blink, Action::Difference, Action::Flip})

@@ -87,6 +87,16 @@ void inspectWorst(MainWindow& window)
 
 } // namespace
 
+void setFieldOfView(MainWindow& window, float fieldOfView)
+{
+    moveCamera(window, withFieldOfView(cameraOf(window.document().state(), activePane(window)), fieldOfView));
+}
+
+QString fieldOfViewText(float fieldOfView)
+{
+    return QObject::tr("%1\u00b0 (%2 mm)").arg(double(fieldOfView)).arg(focalLength(fieldOfView), 0, 'f', 0);
+}
+
 // A case for each row of kActions: one that is missing does not compile.
 void runAction(MainWindow& window, Action action, bool on)
 {

@@ -5,6 +5,8 @@
 #include "app/window/document/files.h"
 #include "app/window/panels/choice_menus.h"
 #include "app/window/panels/pane_menu.h"
+#include "app/window/run_action.h"
+#include "app/window/viewport/navigation.h"
 #include "app/window/widgets/hairline.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
@@ -82,6 +84,13 @@ void TopBar::addTableMenus()
         view, first, tr("Show"), [this](QMenu& menu) { fillViews(menu, m_view, [this](const ViewRow& row) { Q_EMIT viewChosen(row); }); });
     lazyMenu(view, first, tr("Pictures"),
         [this](QMenu& menu) { fillPaneCounts(menu, m_panes, [this](std::size_t count) { Q_EMIT paneCountChosen(count); }); });
+    lazyMenu(view, first, tr("Field of view"), [this](QMenu& menu) {
+        for (const float degrees : kFieldsOfView) {
+            QAction* choice = menu.addAction(fieldOfViewText(degrees), this, [this, degrees] { Q_EMIT fieldOfViewChosen(degrees); });
+            choice->setCheckable(true);
+            choice->setChecked(degrees == m_fieldOfView);
+        }
+    });
 }
 
 // The menus above are filled when they open; their keys work always.
@@ -99,8 +108,9 @@ void TopBar::addKeys(QWidget* window)
         [this] { m_menus->setActiveAction(m_menus->actions().front()); });
 }
 
-void TopBar::tick(const std::string& technique, const std::string& view, std::size_t panes)
+void TopBar::tick(const std::string& technique, const std::string& view, std::size_t panes, float fieldOfView)
 {
+    m_fieldOfView = fieldOfView;
     m_panes = panes;
     m_technique = technique;
     m_view = view;

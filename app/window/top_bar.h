@@ -21,7 +21,7 @@ public:
     TopBar(Files& files, QWidget* window);
     QAction* action(Action which) const { return m_actions[which]; }
     // Of the keys, and how many panes, in the menus.
-    void tick(const std::string& technique, const std::string& view, std::size_t panes);
+    void tick(const std::string& technique, const std::string& view, std::size_t panes, float fieldOfView);
     void follow(const QUndoStack& undo); // the actions for undo and redo name the step and are on when there is one
 
 Q_SIGNALS:
@@ -29,6 +29,7 @@ Q_SIGNALS:
     void techniqueChosen(const relievo::TechniqueRow& row);
     void viewChosen(const relievo::ViewRow& row);
     void paneCountChosen(std::size_t count);
+    void fieldOfViewChosen(float degrees);
 
 private:
     QHBoxLayout* fileButtons();
@@ -39,6 +40,7 @@ private:
     Actions m_actions;
     std::string m_technique, m_view; // keys of those that are ticked
     std::size_t m_panes = 1;
+    float m_fieldOfView = 0.f;
 };
 
 } // namespace relievo

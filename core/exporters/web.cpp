@@ -75,12 +75,14 @@ Expected<WebJson> sideJson(const ExportJob& job, const Side& side, const std::op
     return json;
 }
 
-Expected<WebJson> backgroundJson(Backdrop behind)
+Expected<WebJson> backgroundJson(const Parameters& parameters, const TechniqueRow& technique)
 {
+    const Backdrop behind = parameters.background;
     WebJson json = {{"kind", wordOf(behind)}};
     if (behind != Backdrop::Environment && behind != Backdrop::Gradient)
         return json;
-    const Expected<ProgramText> program = backgroundProgram(behind, false, embeddedReader(), Dialect::Es);
+    const Expected<ProgramText> program
+        = backgroundProgram(behind, exportedFeatures(parameters, technique, {}, Dialect::Es), embeddedReader());
     if (!program)
         return tl::unexpected(program.error());
     json["vertex"] = program->vertex.text;
@@ -130,6 +132,8 @@ void tellLeftOut(const std::vector<Side>& sides, const Mesh& mesh, Warnings& war
         warnings.push_back({"web-silhouettes", "The page draws straight rays: silhouettes stay the mesh's."});
     if (any([](const Parameters& p) { return p.objectShadows; }))
         warnings.push_back({"web-object-shadows", "The page draws self-shadows of the relief, none between objects."});
+    if (any([](const Parameters& p) { return p.vignette > 0.f || p.fStop > 0.f || p.autoExposure; }))
+        warnings.push_back({"web-camera", "The page has no vignette, depth of field or automatic exposure."});
     if (const std::size_t triangles = mesh.indices.size() / 3; triangles > kManyTriangles)
         warnings.push_back({"web-mesh",
             "The mesh has " + std::to_string(triangles) + " triangles: a page is better served by at most " + std::to_string(kManyTriangles)
@@ -158,7 +162,7 @@ Expected<WebJson> dataOf(const ExportJob& job, Warnings& warnings)
     bare.depthOfHit = false;
     bare.edgeFade = 0.f;
     Expected<WebJson> plain = sideJson(job, {knownTechnique("flat"), bare}, std::nullopt, {}), maps = mapsJson(job, programs, warnings),
-                      background = backgroundJson(parameters.background);
+                      background = backgroundJson(parameters, sides->front().technique);
     for (const Expected<WebJson>* part : {&plain, &maps, &background})
         if (!*part)
             return *part;

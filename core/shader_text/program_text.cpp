@@ -64,6 +64,13 @@ void variantFiles(Assembly& part, const ProgramFeatures& features, ShaderPlace p
             part.file(shader.files[features.variants[i]]);
 }
 
+// From light to the screen: toDisplay() and throughLens().
+Assembly& displayFiles(Assembly& part, const ProgramFeatures& features)
+{
+    variantFiles(part, features, ShaderPlace::Display);
+    return part.file("output/display.glsl");
+}
+
 // The technique and what it reads the maps by, for pictures.
 void searchFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& view, const ProgramFeatures& features)
 {
@@ -160,7 +167,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
                     ? "vec3 writeView(Surface s) { return vec3(viewValue(s)); }"
                     : "vec3 writeView(Surface s) { float v = viewValue(s); return v < 0.0f ? kNoHeat : heat(v * heatScale); }");
     else if (view->isColor && !features.linear)
-        part.file("output/display.glsl").generated("vec3 writeView(Surface s) { return toDisplay(viewColor(s)); }");
+        displayFiles(part, features).generated("vec3 writeView(Surface s) { return toDisplay(throughLens(viewColor(s), -s.toEye)); }");
     else
         part.generated("vec3 writeView(Surface s) { return viewColor(s); }");
     return part.file("output/main.glsl").finish();
@@ -200,6 +207,21 @@ EnumSet<MapKind> presentMaps(const Material& material)
     return maps;
 }
 
+namespace {
+bool isChosen(ShaderPlace place, const ViewRow& view, bool linear)
+{
+    switch (place) {
+    case ShaderPlace::Surface:
+        return true;
+    case ShaderPlace::Light:
+        return view.light == ViewLight::All;
+    case ShaderPlace::Display:
+        return view.light == ViewLight::All && view.isColor && !linear;
+    }
+    return false;
+}
+} // namespace
+
 ProgramFeatures programFeatures(
     const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear)
 {
@@ -218,7 +240,7 @@ ProgramFeatures programFeatures(
         .objectShadows = parameters.objectShadows && shadowed,
         .clamps = (technique.isExact || view.isAgainstExact) && parameters.wrap == Wrap::Clamp};
     for (const ParameterRow& row : kParameters)
-        if (!row.shader.files.front().empty() && (row.shader.place == ShaderPlace::Surface || view.light == ViewLight::All))
+        if (!row.shader.files.front().empty() && isChosen(row.shader.place, view, linear))
             features.setVariant(row.member, variantOf(row, get(parameters, row)));
     if (!technique.displaces)
         features.setVariant(&Parameters::depthOfHit, 0);
@@ -231,6 +253,7 @@ ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRo
     plain.silhouettes = Silhouettes::Off;
     plain.objectShadows = false;
     plain.heightMips = false;
+    plain.vignette = 0.f;
     plain.frames = Frames::Derivatives;
     ProgramFeatures features = programFeatures(plain, technique, knownView("shaded"), maps, false);
     features.exported = true;
@@ -306,23 +329,24 @@ Expected<std::string> searchForGodot(const TechniqueRow& technique, bool clamps,
     return part.file(technique.file).body();
 }
 
-Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read, Dialect dialect)
+Expected<ProgramText> backgroundProgram(Backdrop behind, const ProgramFeatures& features, const ShaderReader& read)
 {
-    Assembly fragment(read, dialect);
-    if (behind == Backdrop::Gradient) {
-        fragment.file("output/display.glsl")
-            .generated(
-                linear ? "vec3 shownColor(vec3 color) { return color; }" : "vec3 shownColor(vec3 color) { return encodeSrgb(color); }");
-        return program(
-            Assembly(read, dialect).file("vertex/background_vertex.glsl").finish(), fragment.file("output/gradient.glsl").finish());
-    }
-    fragment.file("shading/environment.glsl");
-    if (linear)
-        fragment.generated("vec3 shownColor(vec3 color) { return color; }");
+    Assembly fragment(read, features.dialect);
+    if (behind != Backdrop::Gradient)
+        fragment.file("shading/environment.glsl");
+    if (!features.linear)
+        displayFiles(fragment, features);
+    if (behind == Backdrop::Gradient) // as the screen shows it, whatever the exposure
+        fragment
+            .generated(features.linear ? "vec3 shownColor(vec3 color) { return color; }"
+                                       : "vec3 shownColor(vec3 color) { return encodeSrgb(color); }")
+            .file("output/gradient.glsl");
     else
-        fragment.file("output/display.glsl").generated("vec3 shownColor(vec3 color) { return toDisplay(color); }");
-    return program(
-        Assembly(read, dialect).file("vertex/background_vertex.glsl").finish(), fragment.file("output/background.glsl").finish());
+        fragment
+            .generated(features.linear ? "vec3 shownColor(vec3 color, vec3 fromEye) { return color; }"
+                                       : "vec3 shownColor(vec3 color, vec3 fromEye) { return toDisplay(throughLens(color, fromEye)); }")
+            .file("output/background.glsl");
+    return program(Assembly(read, features.dialect).file("vertex/background_vertex.glsl").finish(), fragment.finish());
 }
 
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)

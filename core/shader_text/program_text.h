@@ -57,7 +57,7 @@ ProgramFeatures programFeatures(
 
 // The same for a shader that others run: with a frame that needs no vertex attributes but position, normal and uv, light from the
 // surroundings by formula, no mip levels of the heights, and nothing that only this renderer can provide (bent rays, shadows between
-// objects). In ES heights are read texel by texel: WebGL2 does not filter them.
+// objects, a vignette). In ES heights are read texel by texel: WebGL2 does not filter them.
 ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps, Dialect dialect);
 // The same in ES for an engine's own loader of pictures, which keeps 8 bits: heights and acceleration map are split into upper and lower
 // bytes (heightMap in red and green; boundHighMap, boundLowMap), occlusion, roughness and metallic lie in ormMap, opacity in the alpha of
@@ -91,7 +91,8 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 
 // The programs of the renderer, GLSL 4.10.
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
-Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
+// features: how colours are shown (linear, dialect, and the variants of the display).
+Expected<ProgramText> backgroundProgram(Backdrop behind, const ProgramFeatures& features, const ShaderReader& read);
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
 Expected<ProgramText> composeProgram(const ShaderReader& read); // two pictures in one place (render/compose.h)
 // Runs the technique's search on rays in textures (`trace --device gl`).

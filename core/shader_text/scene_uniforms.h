@@ -22,7 +22,8 @@ struct SceneUniforms {
     glm::vec2 textureShift{0.f};
     float reliefDepth = 0.f; // D, m
     float pushOut = 0.f; // how far the mesh is pushed out so that the midlevel lies on it, m
-    float exposureFactor = 1.f; // 2^exposure
+    glm::vec3 exposureFactor{1.f}; // 2^exposure, and the white balance
+    glm::vec3 lookDirection{0.f, 0.f, -1.f}; // unit, of the camera
     float heatScale = 1.f; // of the view's value to [0, 1]
     glm::mat4 shadowFromWorld{1.f}; // clip space of the light's map
     float shadowTexel = 0.f; // its texel's size, m
@@ -47,11 +48,16 @@ inline constexpr auto kSceneUniforms = std::to_array<SceneUniformRow>({
     {&SceneUniforms::reliefDepth, "reliefDepth"},
     {&SceneUniforms::pushOut, "pushOut"},
     {&SceneUniforms::exposureFactor, "exposureFactor"},
+    {&SceneUniforms::lookDirection, "lookDirection"},
     {&SceneUniforms::heatScale, "heatScale"},
     {&SceneUniforms::shadowFromWorld, "shadowFromWorld"},
     {&SceneUniforms::shadowTexel, "shadowTexel"},
     {&SceneUniforms::sampleTurn, "sampleTurn"},
 });
+
+// What makes a grey that is lit by a black body of `kelvin` (1667 to 25000) as grey as one at 6500 K leaves it: linear sRGB, its luminance
+// is 1. Chromaticities of the Planckian locus after Kim et al. 2002 (US patent 7024034); von Kries' rule in linear sRGB.
+glm::vec3 whiteGain(float kelvin);
 
 // All of them for a view of the mesh; metresOfMesh is Mesh::metresPerUV.
 SceneUniforms sceneUniforms(const Parameters& parameters, const CameraView& camera, float metresOfMesh);

@@ -81,6 +81,25 @@ constexpr std::string_view wordOf(Backdrop background)
     return {};
 }
 
+// From light to what a screen can show; the shader text of each cites its source.
+enum class ToneCurve { Neutral, Agx, Aces, Filmic, None };
+constexpr std::string_view wordOf(ToneCurve curve)
+{
+    switch (curve) {
+    case ToneCurve::Neutral:
+        return "neutral";
+    case ToneCurve::Agx:
+        return "agx";
+    case ToneCurve::Aces:
+        return "aces";
+    case ToneCurve::Filmic:
+        return "filmic";
+    case ToneCurve::None:
+        return "none";
+    }
+    return {};
+}
+
 // The number of a choice's last option, as a row's limit.
 template <IsChoice E> inline constexpr float kLast = float(kChoices<E> - 1);
 

@@ -67,7 +67,14 @@ struct Parameters { // the initialisers ARE the defaults
     glm::vec3 lightColor{1.f, 0.96f, 0.9f};
     float environmentIntensity = 0.45f;
     float environmentYaw = 0.f;
+    // Camera
     float exposure = 0.f;
+    bool autoExposure = false;
+    float whiteBalance = 6500.f;
+    ToneCurve toneCurve = ToneCurve::Neutral;
+    float vignette = 0.f;
+    float fStop = 0.f;
+    float focusDistance = 0.f;
     // View
     Backdrop background = Backdrop::Plain;
     bool wireframe = false;
@@ -79,7 +86,7 @@ struct Parameters { // the initialisers ARE the defaults
 
 // The kinds of parameter. A vec3 is a linear colour.
 using Member = std::variant<float Parameters::*, int Parameters::*, bool Parameters::*, glm::vec3 Parameters::*, Wrap Parameters::*,
-    Frames Parameters::*, Silhouettes Parameters::*, Shading Parameters::*, Backdrop Parameters::*>;
+    Frames Parameters::*, Silhouettes Parameters::*, Shading Parameters::*, Backdrop Parameters::*, ToneCurve Parameters::*>;
 
 template <class M> struct MemberTypeOf;
 template <class T> struct MemberTypeOf<T Parameters::*> {
@@ -87,7 +94,7 @@ template <class T> struct MemberTypeOf<T Parameters::*> {
 };
 template <class M> using MemberType = typename MemberTypeOf<M>::Type;
 
-enum class Group { Shape, Search, Mesh, Shadows, Shading, Light, View };
+enum class Group { Shape, Search, Mesh, Shadows, Shading, Light, Camera, View };
 constexpr std::string_view wordOf(Group group)
 {
     switch (group) {
@@ -103,6 +110,8 @@ constexpr std::string_view wordOf(Group group)
         return "Shading";
     case Group::Light:
         return "Light";
+    case Group::Camera:
+        return "Camera";
     case Group::View:
         return "View";
     }
@@ -120,11 +129,11 @@ enum class Affects {
 };
 
 // Which shader text a parameter chooses, one file for each option (of a switch, or of a number that is 0 or more, off and on), and where it
-// stands in a program: before the search, or where light is computed.
-enum class ShaderPlace { Surface, Light };
+// stands in a program: before the search, where light is computed, or where it is shown.
+enum class ShaderPlace { Surface, Light, Display };
 struct ShaderChoice {
     ShaderPlace place = ShaderPlace::Surface;
-    std::array<std::string_view, 4> files = {}; // under shaders/
+    std::array<std::string_view, 5> files = {}; // under shaders/
 };
 
 // Another parameter's value: a switch, or one of a choice's.
@@ -513,11 +522,56 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
     {.member = &Parameters::exposure,
         .key = "exposure",
         .label = "Exposure",
-        .group = Group::Light,
-        .min = -8.f,
-        .max = 8.f,
+        .group = Group::Camera,
+        .min = -20.f,
+        .max = 20.f,
         .unit = "EV",
-        .help = "Brightness of the picture in stops."},
+        .help = "Brightness of the picture in stops; on top of the automatic one, if that is on."},
+    {.member = &Parameters::autoExposure,
+        .key = "autoExposure",
+        .label = "Automatic",
+        .group = Group::Camera,
+        .help = "Meters the picture: its mean (of the logarithms) becomes middle grey, 18 %."},
+    {.member = &Parameters::whiteBalance,
+        .key = "whiteBalance",
+        .label = "White balance",
+        .group = Group::Camera,
+        .min = 2000.f,
+        .max = 15000.f,
+        .unit = "K",
+        .help = "Color temperature of the light that shall look white; 6500 leaves all colors, less makes the picture cooler."},
+    {.member = &Parameters::toneCurve,
+        .key = "toneCurve",
+        .label = "Tone curve",
+        .group = Group::Camera,
+        .max = kLast<ToneCurve>,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Display,
+            .files = {"output/tone_neutral.glsl", "output/tone_agx.glsl", "output/tone_aces.glsl", "output/tone_filmic.glsl",
+                "output/tone_none.glsl"}},
+        .help = "How light brighter than the screen is shown: Khronos neutral keeps colors as they are; AgX, ACES and filmic as film "
+                "and other viewers do; none cuts it off."},
+    {.member = &Parameters::vignette,
+        .key = "vignette",
+        .label = "Vignette",
+        .group = Group::Camera,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Display, .files = {"output/vignette_none.glsl", "output/vignette.glsl"}},
+        .help = "Darkens the corners; at 1 as a simple lens does, by the fourth power of the cosine of the field angle."},
+    {.member = &Parameters::fStop,
+        .key = "fStop",
+        .label = "Aperture",
+        .group = Group::Camera,
+        .max = 64.f,
+        .unit = "f/",
+        .help = "Depth of field as a 35 mm camera with this f-number has it, when the picture rests; 0 keeps all of it sharp."},
+    {.member = &Parameters::focusDistance,
+        .key = "focusDistance",
+        .label = "Focus",
+        .group = Group::Camera,
+        .max = 10000.f,
+        .unit = "m",
+        .help = "How far from the eye the picture is sharp; 0: where the camera looks."},
 
     {.member = &Parameters::background,
         .key = "background",

@@ -44,6 +44,18 @@ inline constexpr auto kPresets = std::to_array<PresetRow>({
     {"character", "Animated character", "scales",
         R"({"relievo":1,"mesh":"character","parameters":{"depth":0.06,"silhouettes":"prisms","depthOfHit":true,"shadows":true},"camera":{"yaw":30,"pitch":10,"fov":35},"panes":[{"technique":"relief"}]})",
         "A figure that walks, with relief on its bending limbs. Play it under the picture."},
+    {"tea-hour", "Tea hour", "cobblestones",
+        R"({"relievo":1,"mesh":"room","parameters":{"depth":0.07,"depthOfHit":true,"shadows":true,"objectShadows":true,"shadowMapSize":2048,"lightYaw":35,"lightPitch":38,"environmentIntensity":0.3,"background":"gradient"},"camera":{"yaw":38,"pitch":17,"fov":35},"panes":[{"technique":"relief"}]})",
+        "A room with a table, a pot and a guest, all in stones, as figure 2 of Policarpo, Oliveira and Comba 2005."},
+    {"four-ways", "Four ways", "bricks",
+        R"({"relievo":1,"mesh":"sphere","parameters":{"depth":0.06,"tiling":1,"lightYaw":-55,"lightPitch":25,"background":"gradient"},"camera":{"yaw":20,"pitch":15,"fov":35},"panes":[{"technique":"bump","overrides":{"shadows":false}},{"technique":"parallax","overrides":{"shadows":false}},{"technique":"relief","overrides":{"shadows":false}},{"technique":"relief","overrides":{"shadows":true}}]})",
+        "Bump mapping, parallax mapping, relief mapping, and relief mapping with self-shadows, as figure 1.1 of the RTM project report."},
+    {"close-up-stones", "Close-up, stones", "cobblestones",
+        R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.1,"silhouettes":"prisms","depthOfHit":true,"shadows":true,"lightYaw":70,"lightPitch":25},"camera":{"yaw":48,"pitch":12,"fov":35,"distance":0.42,"target":[0.08,0.02,0.1]},"panes":[{"technique":"relief"}]})",
+        "From so near that a texel fills pixels, as figure 16 of Policarpo, Oliveira and Comba 2005."},
+    {"close-up-rock", "Close-up, rock", "terrain",
+        R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.12,"silhouettes":"prisms","depthOfHit":true,"shadows":true,"lightYaw":-20,"lightPitch":30},"camera":{"yaw":-25,"pitch":25,"fov":35,"distance":0.5,"target":[-0.05,0.04,0.1]},"panes":[{"technique":"relief"}]})",
+        "The same of rock, as figure 17 of Policarpo, Oliveira and Comba 2005."},
 });
 
 // nameOrFile: a key of kPresets, or a JSON file. Errors: neither.

@@ -8,7 +8,7 @@
 namespace relievo {
 
 // Made by formula, largest size 1 m, centred, y up.
-inline constexpr std::array<std::string_view, 8> kShapes
-    = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character"};
+inline constexpr std::array<std::string_view, 9> kShapes
+    = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character", "room"};
 
 } // namespace relievo

@@ -6,5 +6,5 @@ layout(location = 0) out vec4 fragment;
 
 void main()
 {
-    fragment = vec4(shownColor(reflection(normalize(direction), 0.3f) * environmentIntensity), 1.0f);
+    fragment = vec4(shownColor(reflection(normalize(direction), 0.3f) * environmentIntensity, normalize(direction)), 1.0f);
 }

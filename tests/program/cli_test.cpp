@@ -28,6 +28,18 @@ bool isPng(const std::string& file)
     return text && text->starts_with("\x89PNG");
 }
 
+// Of the colours of two pictures of one size, shares of white.
+double meanDifference(const relievo::Image& a, const relievo::Image& b)
+{
+    EXPECT_TRUE(a.width == b.width && a.height == b.height);
+    double sum = 0.;
+    for (int y = 0; y < std::min(a.height, b.height); ++y)
+        for (int x = 0; x < std::min(a.width, b.width); ++x)
+            for (int c = 0; c < 3; ++c)
+                sum += std::abs(double(a.value(x, y, c)) - double(b.value(x, y, c)));
+    return sum / double(a.texelCount() * 3);
+}
+
 struct HitLine {
     int hit;
     double t, u, v;
@@ -189,18 +201,35 @@ TEST(Cli, SequencesTurnOnceAndLoop)
     }
 }
 
+TEST(Cli, SixteenBitStillsHoldSixteenBits)
+{
+    TestFolder folder("bits");
+    const std::string out = folder / "x.png";
+    ASSERT_EQ(runRelievo("render " + kSource + "--size 40x30 --bits 16 -o " + out).exitCode, 0);
+    const auto info = relievo::readImageInfo(out);
+    ASSERT_TRUE(info);
+    EXPECT_EQ(info->storedBits, 16);
+    EXPECT_EQ(runRelievo("render " + kSource + "--size 40x30 --bits 12 -o " + out).exitCode, 2);
+    EXPECT_EQ(runRelievo("render " + kSource + "--size 40x30 --bits 16 -o " + (folder / "x.exr")).exitCode, 2);
+    EXPECT_NE(runRelievo("render " + kSource + "--size 16385x30 -o " + out).exitCode, 0);
+}
+
 TEST(Cli, AllScenesMakeAGallery)
 {
     TestFolder folder("gallery");
     const std::string out = folder / "new/gallery";
-    const ProgramRun run = runRelievo("render --all-scenes --json --size 32x24 --samples 1 -o " + out);
+    const ProgramRun run = runRelievo("render --all-scenes --json --size 96x72 -o " + out);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const json told = json::parse(run.out);
     std::size_t scenes = 0;
     for (const relievo::PresetRow& row : relievo::kPresets)
         if (!row.sample.empty()) {
             ++scenes;
-            EXPECT_TRUE(isPng(out + '/' + std::string(row.key) + ".png")) << row.key;
+            const std::string name = std::string(row.key) + ".png";
+            const auto drawn = relievo::readImage(out + '/' + name),
+                       thumbnail = relievo::readImage(RELIEVO_SOURCE "/resources/scenes/" + name);
+            ASSERT_TRUE(drawn && thumbnail) << row.key;
+            EXPECT_LT(meanDifference(drawn->image, thumbnail->image), 0.02) << row.key << ": the thumbnail in resources/scenes is stale";
         }
     EXPECT_EQ(told["files"].size(), scenes);
     EXPECT_GT(scenes, 0u);

@@ -27,6 +27,7 @@ struct RenderOptions {
     std::string out, size = "1024x768", view = "shaded";
     std::vector<std::string> views;
     int samples = 0;
+    int bits = 8; // of a .png
     int width = 0, height = 0;
     int frames = 0; // of a sequence; 0: one picture
     bool turntable = false, lightTurn = false;
@@ -56,6 +57,8 @@ Result<void> check(RenderOptions& options)
             {"there is no place for the number in this name", "-o " + options.out, "Write it as ####, as in turn.####.png"}, WrongUsage);
     if (options.frames == 0 && (options.turntable || options.lightTurn))
         return problem({"a turn takes several pictures", options.turntable ? "--turntable" : "--light-turn", "Add --frames N"}, WrongUsage);
+    if (options.bits == 16 && suffix != ".png")
+        return problem({"an .exr holds floats", "--bits 16", "Leave it out, or write -o FILE.png"}, WrongUsage);
     if (!options.views.empty() && suffix != ".exr")
         return problem({"several views fit into an .exr only", "--views", "Write -o FILE.exr"}, WrongUsage);
     if (options.views.empty())
@@ -80,6 +83,16 @@ Result<void> write(const fs::path& out, std::vector<ImageLayer> layers)
     return {};
 }
 
+// A depth of field needs many to be smooth.
+int samplesOf(const RenderOptions& options, const Parameters& parameters, const ViewRow& view)
+{
+    if (options.samples > 0)
+        return options.samples;
+    if (parameters.fStop > 0.f && view.isColor)
+        return 64;
+    return view.isHeat || lowerSuffix(options.out) == ".exr" ? 1 : 4;
+}
+
 // The views of one picture.
 Result<std::vector<ImageLayer>> drawn(
     const RenderOptions& options, Renderer& renderer, const State& state, Scene& scene, const Progress& progress)
@@ -97,8 +110,15 @@ Result<std::vector<ImageLayer>> drawn(
                 return problem(made.error());
             exact = std::move(*made);
         }
-        const int samples = options.samples > 0 ? options.samples : row.isHeat || linear ? 1 : 4;
-        auto image = drawPicture(renderer, state, 0, scene.resources, view, options.width, options.height, samples, linear, exact);
+        const Still still{.view = view,
+            .width = options.width,
+            .height = options.height,
+            .samples = samplesOf(options, effectiveParameters(state, 0), row),
+            .type = linear           ? PixelType::F32
+                : options.bits == 16 ? PixelType::U16
+                                     : PixelType::U8,
+            .exact = exact};
+        auto image = drawStill(renderer, state, 0, scene.resources, still, drawing);
         if (!image)
             return problem(image.error());
         if (row.isHeat && !linear)
@@ -159,6 +179,49 @@ Result<Rendered> render(RenderOptions& options, const Progress& progress)
     return done;
 }
 
+// All panes of a scene in one picture, two in a row.
+Result<Image> drawnPanes(const RenderOptions& options, Renderer& renderer, Scene& scene, const Progress& progress)
+{
+    const int count = int(scene.state.panes.size()), columns = std::min(count, 2), rows = (count + columns - 1) / columns;
+    Still still{.view = options.view, .width = options.width / columns, .height = options.height / rows};
+    Image sheet{still.width * columns, still.height * rows, 4, PixelType::U8, 8, false, {}};
+    sheet.data.resize(sheet.texelCount() * 4);
+    for (int i = 0; i < count; ++i) {
+        still.samples = samplesOf(options, effectiveParameters(scene.state, std::size_t(i)), *findView(options.view));
+        const auto pane = drawStill(renderer, scene.state, std::size_t(i), scene.resources, still,
+            progress.part(float(i) / float(count), float(i + 1) / float(count)));
+        if (!pane)
+            return problem(pane.error());
+        const std::size_t row = std::size_t(still.width) * 4;
+        for (int y = 0; y < still.height; ++y)
+            std::copy_n(pane->data.begin() + std::ptrdiff_t(row) * y, row,
+                sheet.data.begin() + (std::ptrdiff_t(i / columns * still.height + y) * columns + i % columns) * std::ptrdiff_t(row));
+    }
+    return sheet;
+}
+
+// A scene of the gallery.
+Result<Warnings> renderScene(RenderOptions options, const PresetRow& row, const fs::path& out, const Progress& progress)
+{
+    options.state.source = "scene:" + std::string(row.key);
+    options.out = out.string();
+    if (const auto good = check(options); !good)
+        return tl::unexpected(good.error());
+    auto scene = openScene(options.state, progress.part(0.f, 0.5f));
+    if (!scene)
+        return tl::unexpected(scene.error());
+    auto context = WindowlessContext::create();
+    if (!context)
+        return problem(context.error());
+    Renderer renderer;
+    auto picture = drawnPanes(options, renderer, *scene, progress.part(0.5f, 1.f));
+    if (!picture)
+        return tl::unexpected(picture.error());
+    if (auto written = writeImage(out, *picture, true); !written)
+        return problem(written.error());
+    return std::move(scene->warnings);
+}
+
 // Every scene as a picture of the folder.
 Result<Rendered> renderGallery(const RenderOptions& options, const Progress& progress)
 {
@@ -172,14 +235,13 @@ Result<Rendered> renderGallery(const RenderOptions& options, const Progress& pro
     for (std::size_t i = 0; i < kPresets.size(); ++i) {
         if (kPresets[i].sample.empty())
             continue;
-        RenderOptions one = options;
-        one.state.source = "scene:" + std::string(kPresets[i].key);
-        one.out = (fs::path(options.out) / (std::string(kPresets[i].key) + ".png")).string();
-        const auto done = render(one, progress.part(float(i) / float(kPresets.size()), float(i + 1) / float(kPresets.size())));
-        if (!done)
-            return tl::unexpected(done.error());
-        all.files.insert(all.files.end(), done->files.begin(), done->files.end());
-        all.warnings.insert(all.warnings.end(), done->warnings.begin(), done->warnings.end());
+        const fs::path out = fs::path(options.out) / (std::string(kPresets[i].key) + ".png");
+        const auto told = renderScene(
+            options, kPresets[i], out, progress.part(float(i) / float(kPresets.size()), float(i + 1) / float(kPresets.size())));
+        if (!told)
+            return tl::unexpected(told.error());
+        all.files.push_back(out);
+        all.warnings.insert(all.warnings.end(), told->begin(), told->end());
     }
     return all;
 }
@@ -195,7 +257,7 @@ void addRender(CLI::App& app, int& exitCode)
     options->state.addOutput(*command, "-o", options->out, "Picture to write: .png (display values) or .exr (linear float values)")
         ->required()
         ->type_name("FILE");
-    command->add_option("--size", options->size, "Size in pixels, 1024x768 when not given")->type_name("WxH");
+    command->add_option("--size", options->size, "Size in pixels, 1024x768 when not given; up to 16384 a side")->type_name("WxH");
     CLI::Option* one = command->add_option("--view", options->view, "What to show, see relievo describe views; shaded when not given");
     one->type_name("KEY");
     command->add_option("--views", options->views, "Several views as named layers of one .exr, the first also without a name")
@@ -203,10 +265,13 @@ void addRender(CLI::App& app, int& exitCode)
         ->delimiter(',')
         ->excludes(one);
     command
-        ->add_option(
-            "--samples", options->samples, "Pictures averaged for smooth edges, 1 to 64; 4 when not given, 1 for heat maps and .exr")
-        ->check(CLI::Range(1, 64))
+        ->add_option("--samples", options->samples,
+            "Pictures averaged for smooth edges, 1 to 256; 4 when not given, 1 for heat maps and .exr, 64 with a depth of field")
+        ->check(CLI::Range(1, kMaxSamples))
         ->type_name("N");
+    command->add_option("--bits", options->bits, "Bits a channel of a .png: 8, as when not given, or 16")
+        ->check(CLI::IsMember({8, 16}))
+        ->type_name("8|16");
     CLI::Option* count
         = command->add_option("--frames", options->frames, "A sequence of so many pictures that loops; #### in FILE is the number, from 1")
               ->check(CLI::Range(1, 100000))

@@ -24,6 +24,7 @@ struct PageRow {
 constexpr auto kPages = std::to_array<PageRow>({
     {"comparing.md", "Comparing techniques"},
     {"deciding.md", "Deciding on a technique"},
+    {"camera.md", "Camera and picture"},
     {"targets.md", "Export targets"},
     {"command-line.md", "The command line"},
     {"reference.md", "Reference"},

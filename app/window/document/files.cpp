@@ -193,6 +193,10 @@ void Files::fillPresets(QMenu& menu)
     for (const PresetRow& row : kPresets) {
         QAction* action = menu.addAction(qt(row.label));
         action->setToolTip(qt(row.help));
+        if (!row.sample.empty()) { // relievo render --all-scenes --size 96x72 has made it
+            action->setIcon(QIcon(":/resources/scenes/" + qt(row.key) + ".png"));
+            action->setIconVisibleInMenu(true);
+        }
         connect(action, &QAction::triggered, this, [this, &row] {
             if (row.sample.empty())
                 applyPreset(std::string(row.key));

@@ -117,9 +117,9 @@ Expected<Loaded> loadFor(const OpenState& job, const Turn& turn)
         withoutChanged(turn.previous), turn.progress);
 }
 
-bool isLight(const ParameterRow& row)
+bool isLightOrCamera(const ParameterRow& row)
 {
-    return row.group == Group::Light || row.key == "lightSize";
+    return row.group == Group::Light || row.group == Group::Camera || row.key == "lightSize";
 }
 
 // What the SOURCE is read on.
@@ -129,7 +129,7 @@ State groundFor(const OpenInto& job, const State& now)
     ground.camera = now.camera;
     ground.environment = now.environment;
     for (const ParameterRow& row : kParameters)
-        if (isLight(row))
+        if (isLightOrCamera(row))
             set(ground.parameters, row, get(now.parameters, row));
     // Before the starting scene's backdrop its shape and outline are the defaults too; a plane would be seen from its edge there.
     if (const State scene = startingScene(); now.parameters.background == scene.parameters.background) {
@@ -141,7 +141,7 @@ State groundFor(const OpenInto& job, const State& now)
     for (Pane& pane : ground.panes)
         std::erase_if(pane.overrides, [](const auto& own) {
             const ParameterRow* row = findParameter(own.first);
-            return !row || !isLight(*row);
+            return !row || !isLightOrCamera(*row);
         });
     if (job.asStep || job.onlyMaterial)
         ground.mesh = now.mesh, ground.part = now.part;

@@ -7,6 +7,8 @@
 #include "app/window/document/files.h"
 #include "app/window/main_window.h"
 #include "app/window/panels/choice_menus.h"
+#include "app/window/run_action.h"
+#include "app/window/viewport/navigation.h"
 #include "app/window/widgets/text.h"
 #include "core/image/samples/samples.h"
 #include "core/state/presets.h"
@@ -55,6 +57,9 @@ void addChoices(std::vector<Command>& commands, MainWindow& window)
             [&window, row] { window.setTechnique(row->key); }});
     for (const ViewRow& row : kViews)
         commands.push_back({QObject::tr("View: %1").arg(qt(row.label)), {}, qt(row.key), [&window, &row] { window.setView(row.key); }});
+    for (const float degrees : kFieldsOfView)
+        commands.push_back({QObject::tr("Field of view: %1").arg(fieldOfViewText(degrees)), {}, QObject::tr("camera lens focal length"),
+            [&window, degrees] { setFieldOfView(window, degrees); }});
     for (const PresetRow& row : kPresets) {
         const bool isScene = !row.sample.empty();
         commands.push_back({(isScene ? QObject::tr("Scene: %1") : QObject::tr("Preset: %1")).arg(qt(row.label)), {}, qt(row.help),

@@ -40,9 +40,30 @@ Camera orbited(const Camera& camera, double dx, double dy)
     return next;
 }
 
+namespace {
+double halfHeight(float fieldOfView) // at a distance of 1
+{
+    return std::tan(double(fieldOfView) * std::numbers::pi / 360.);
+}
+} // namespace
+
+double focalLength(float fieldOfView)
+{
+    return 12. / halfHeight(fieldOfView);
+}
+
+Camera withFieldOfView(const Camera& camera, float fieldOfView)
+{
+    Camera next = camera;
+    next.fov = fieldOfView;
+    if (camera.distance) // else it frames the mesh anyway
+        next.distance = float(double(*camera.distance) * halfHeight(camera.fov) / halfHeight(fieldOfView));
+    return next;
+}
+
 Camera panned(const Camera& camera, const CameraView& view, double dx, double dy, double height)
 {
-    const double metres = 2. * view.distance * std::tan(double(camera.fov) * std::numbers::pi / 360.) / height; // a pixel at the target
+    const double metres = 2. * view.distance * halfHeight(camera.fov) / height; // a pixel at the target
     Camera next = camera;
     next.target = view.target - view.right * float(dx * metres) + view.up * float(dy * metres);
     next.distance = view.distance;

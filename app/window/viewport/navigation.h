@@ -50,6 +50,11 @@ inline constexpr auto kCameraKeys = std::to_array<CameraKeyRow>({
     {Qt::Key_PageDown, 0., 0., -1., "move away"},
 });
 
+// Fields of view to choose from, degrees upwards.
+inline constexpr std::array<float, 7> kFieldsOfView = {10.f, 20.f, 28.f, 35.f, 50.f, 65.f, 90.f};
+double focalLength(float fieldOfView); // mm of a 35 mm camera, whose picture is 24 mm high
+Camera withFieldOfView(const Camera& camera, float fieldOfView); // what it looks at stays as large as it is
+
 // dx, dy: pixels to the right and down; view: what the camera sees now; height: of the picture in pixels.
 Camera orbited(const Camera& camera, double dx, double dy);
 Camera panned(const Camera& camera, const CameraView& view, double dx, double dy, double height); // the target follows the hand

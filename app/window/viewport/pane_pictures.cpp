@@ -54,6 +54,7 @@ std::vector<Error> PanePictures::draw(const ShownScene& scene, const std::vector
     std::vector<Error> troubles;
     for (std::size_t pane = 0; pane < areas.size(); ++pane) {
         picture(pane).mean.restart();
+        picture(pane).ms = 0.;
         if (areas[pane].isEmpty())
             continue;
         const auto drawn = draw(scene, pane, areas[pane], scale);
@@ -65,7 +66,7 @@ std::vector<Error> PanePictures::draw(const ShownScene& scene, const std::vector
     return troubles;
 }
 
-bool PanePictures::drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows, glm::vec2 jitter)
+bool PanePictures::drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows, bool shifted)
 {
     (void)own.sampled->resize(area.width, area.height); // drawing tells
     DrawRequest request(scene.state, m_slices.pane, scene.resources,
@@ -73,7 +74,8 @@ bool PanePictures::drawSlice(const ShownScene& scene, const PaneArea& area, Pict
             .width = area.width,
             .height = area.height,
             .lineWidth = float(std::max(1., scene.pixelRatio)),
-            .jitter = jitter,
+            .jitter = shifted ? own.mean.nextShift() : glm::vec2(0.f),
+            .lens = shifted ? own.mean.nextLens() : glm::vec2(0.f),
             .firstRow = m_slices.row,
             .rows = rows});
     if (scene.reference.isShown(m_slices.pane))
@@ -89,7 +91,7 @@ PanePictures::Slice PanePictures::nextSlice(const ShownScene& scene, const PaneA
     const int rows = std::clamp(int(ms * m_slices.rowsPerMs), 1, std::max(area.height - m_slices.row, 1));
     QElapsedTimer clock;
     clock.start();
-    if (area.isEmpty() || !wanted || !drawSlice(scene, area, own, rows, shifted ? own.mean.nextShift() : glm::vec2(0.f)))
+    if (area.isEmpty() || !wanted || !drawSlice(scene, area, own, rows, shifted))
         return {true, false};
     m_slices.row += rows;
     m_slices.rowsPerMs = rows / std::max(0.01, double(clock.nsecsElapsed()) * 1e-6);
@@ -105,7 +107,10 @@ bool PanePictures::nextPane(const std::vector<PaneArea>& areas)
 
 bool PanePictures::fillSlice(const ShownScene& scene, const std::vector<PaneArea>& areas, double ms)
 {
+    QElapsedTimer clock;
+    clock.start();
     const Slice slice = nextSlice(scene, areas[m_slices.pane], ms, true, false);
+    picture(m_slices.pane).ms += double(clock.nsecsElapsed()) * 1e-6;
     if (!slice.isWhole)
         return false;
     if (slice.isDrawn)
@@ -216,6 +221,15 @@ std::optional<Measurement> PanePictures::measure(const ShownScene& scene, std::s
     auto measured = m_renderer.measure(scene.state, pane, scene.resources, area.aspect());
     if (!measured)
         return {};
+    if (picture(pane).ms == 0.) { // it was drawn in one go, so that it may be once more
+        QElapsedTimer clock;
+        clock.start();
+        m_slices = {.pane = pane, .row = 0, .rowsPerMs = m_slices.rowsPerMs};
+        if (drawSlice(scene, area, picture(pane), area.height, false))
+            picture(pane).ms = double(clock.nsecsElapsed()) * 1e-6;
+        m_slices.pane = 0;
+    }
+    measured->ms = picture(pane).ms;
     if (const ViewRow* view = findView(scene.state.panes[pane].view); view && view->isHeat)
         measured->shown = numbersOf(scene, pane, area, *view);
     return *measured;

@@ -57,7 +57,7 @@ public:
     // The pixel at a share from the upper left corner, and so many around it.
     Image around(std::size_t pane, glm::vec2 share, int radius);
 
-    // Counts the fetches of a pane, and measures what a heat view shows; nothing for one that is not drawn.
+    // Counts the fetches of a pane, times it, and measures what a heat view shows; nothing for one that is not drawn.
     std::optional<Measurement> measure(const ShownScene& scene, std::size_t pane, const PaneArea& area);
     // Where the pane's search is most wrong, a share of the picture from its upper left corner; nothing where nothing is.
     std::optional<glm::vec2> worst(const ShownScene& scene, std::size_t pane, const PaneArea& area);
@@ -71,6 +71,7 @@ private:
         std::unique_ptr<Framebuffer> drawn = std::make_unique<Framebuffer>();
         std::unique_ptr<Framebuffer> sampled = std::make_unique<Framebuffer>(); // drawn slice by slice
         Smoother mean;
+        double ms = 0; // that the full picture took; 0: not timed
     };
     struct Slices {
         std::size_t pane = 0; // that is being drawn
@@ -80,7 +81,7 @@ private:
     Picture& picture(std::size_t pane);
     void compose(unsigned framebuffer, const Arrangement& arrangement, int height);
     Expected<void> draw(const ShownScene& scene, std::size_t pane, const PaneArea& area, double scale);
-    bool drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows, glm::vec2 jitter);
+    bool drawSlice(const ShownScene& scene, const PaneArea& area, Picture& own, int rows, bool shifted);
     // The next slice of the pane at hand, where `wanted`. Whether that pane's picture is whole, and whether it was drawn.
     struct Slice {
         bool isWhole, isDrawn;

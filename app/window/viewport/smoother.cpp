@@ -20,6 +20,11 @@ glm::vec2 Smoother::nextShift() const
     return pixelShift(m_count);
 }
 
+glm::vec2 Smoother::nextLens() const
+{
+    return lensPoint(m_count);
+}
+
 void Smoother::add(const Framebuffer& picture)
 {
     const std::size_t values = std::size_t(picture.width()) * std::size_t(picture.height()) * 4;

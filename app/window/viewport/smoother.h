@@ -21,6 +21,7 @@ public:
     void restart() { m_count = m_uploaded = 0; }
     int count() const { return m_count; }
     glm::vec2 nextShift() const; // of the picture to be added next, pixels in [-0.5, 0.5)
+    glm::vec2 nextLens() const; // where it is seen from, in the unit disc of the lens
     void add(const Framebuffer& picture); // all of one size since the restart
     unsigned texture(); // the mean, row 0 below
     unsigned framebuffer(); // that reads it

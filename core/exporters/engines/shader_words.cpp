@@ -59,7 +59,7 @@ std::string toldOf(const std::string& name, const Source& source, glm::vec4 boun
     else if (name == "lightDirection")
         told << "unit, towards the light, world space";
     else if (name == "exposureFactor")
-        told << std::exp2(source.parameters.exposure);
+        told << std::exp2(source.parameters.exposure) << ", times the white balance";
     else if (name == "textureFromMesh")
         told << "the material's turn and tiling " << source.parameters.tiling;
     else if (name == "textureShift")

@@ -4,6 +4,7 @@
 #include "core/mesh/shapes/shapes.h"
 #include "core/mesh/frames/frames.h"
 #include "core/mesh/shapes/character.h"
+#include "core/mesh/shapes/room.h"
 #include "core/mesh/shapes/shape_grid.h"
 #include "core/mesh/shapes/teapot.h"
 #include <cmath>
@@ -109,6 +110,7 @@ constexpr ShapeRow kRows[] = {
     {"teapot", "Teapot", makeTeapot},
     {"spheres", "Spheres", makeSpheres},
     {"character", "Character", makeCharacter},
+    {"room", "Room", makeRoom},
 };
 static_assert(std::size(kRows) == kShapes.size());
 } // namespace

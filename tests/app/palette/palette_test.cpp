@@ -3,11 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions.h"
 #include "app/window/palette/command_palette.h"
+#include "app/window/run_action.h"
 #include "app/window/widgets/text.h"
 #include "core/state/presets.h"
 #include "tests/app/window_support.h"
 #include <QLineEdit>
 #include <QListWidget>
+#include <cmath>
+#include <numbers>
 
 using namespace relievo;
 
@@ -49,6 +52,18 @@ TEST_F(PaletteTest, FindsEveryRowByItsName)
     for (const PresetRow& row : kPresets)
         EXPECT_FALSE(commandsFor(qt(row.label), window).empty()) << row.key;
     EXPECT_TRUE(commandsFor("no such thing at all", window).empty());
+}
+
+TEST_F(PaletteTest, ChoosesAFieldOfViewThatKeepsTheSizeOfWhatIsSeen)
+{
+    Camera camera = cameraOf(state(), 0);
+    camera.fov = 35.f, camera.distance = 2.f;
+    window.document().edit({}, [&](State& edited) { edited.camera = camera; });
+    type("field of view: 50");
+    const Camera& wide = cameraOf(state(), 0);
+    EXPECT_EQ(wide.fov, 50.f);
+    EXPECT_NEAR(double(*wide.distance) * std::tan(25. * std::numbers::pi / 180.), 2. * std::tan(17.5 * std::numbers::pi / 180.), 1e-5);
+    EXPECT_EQ(fieldOfViewText(50.f), QString::fromUtf8("50\u00b0 (26 mm)"));
 }
 
 TEST_F(PaletteTest, SetsAValueAsOneStepThatIsUndone)
