@@ -5,9 +5,12 @@
 #include "core/exporters/map_images.h"
 #include "core/exporters/written_pictures.h"
 #include "core/gltf/gltf_extensions.h"
+#include "core/gltf/gltf_layers.h"
 #include "core/maps/float_image.h"
 #include "core/state/state_json.h"
+#include <algorithm>
 #include <glm/trigonometric.hpp>
+#include <string_view>
 
 namespace relievo {
 
@@ -35,7 +38,7 @@ public:
     {
         Json material = {{"name", m_job.state.name}};
         for (const auto step : {&MaterialWriter::addColor, &MaterialWriter::addPacked, &MaterialWriter::addNormal,
-                 &MaterialWriter::addEmission, &MaterialWriter::addRelief}) {
+                 &MaterialWriter::addEmission, &MaterialWriter::addLayers, &MaterialWriter::addRelief}) {
             if (m_job.progress.cancelled())
                 return cancelled(m_job.out.string());
             if (Expected<void> added = (this->*step)(material); !added)
@@ -138,6 +141,24 @@ private:
             material["extensions"][kBrighterExtension] = {{"emissiveStrength", shortest(strength)}};
             m_file.use(kBrighterExtension);
         }
+        return {};
+    }
+
+    Expected<void> addLayers(Json& material)
+    {
+        const Parameters& p = m_parameters;
+        const auto isOn = [&p](const char* extension) {
+            return std::ranges::any_of(kGltfLayers, [&](const GltfLayerRow& row) {
+                return row.decides && row.extension == std::string_view(extension) && p.*row.member != row.without;
+            }) || (p.sheen > 0.f && extension == std::string_view(kSheenExtension));
+        };
+        for (const GltfLayerRow& row : kGltfLayers)
+            if (isOn(row.extension)) {
+                material["extensions"][row.extension][row.factor] = shortest(p.*row.member);
+                m_file.use(row.extension);
+            }
+        if (const glm::vec3 color = p.sheen * p.sheenColor; p.sheen > 0.f)
+            material["extensions"][kSheenExtension][kSheenColor] = {shortest(color.r), shortest(color.g), shortest(color.b)};
         return {};
     }
 

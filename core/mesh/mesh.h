@@ -54,6 +54,8 @@ struct MeshFactors {
     float roughness = 1.f, metallic = 1.f, normal = 1.f, occlusion = 1.f; // of occlusion the strength
     float emission = 0.f; // of its brightest channel
     std::optional<float> specular = {}; // of its brightest channel, where the material has one
+    std::vector<std::pair<std::string_view, float>> layers = {}; // parameters by key, of extensions that the material has
+    glm::vec3 sheen{0.f}; // linear
     bool clamped = false; // its pictures do not repeat
 };
 

@@ -97,6 +97,12 @@ void takeFactors(State& state, const MeshFactors& factors, const MapSlots& maps)
         takeNumber(state, "emission", double(factors.emission));
     if (factors.specular)
         takeNumber(state, "specular", double(*factors.specular));
+    for (const auto& [key, value] : factors.layers)
+        takeNumber(state, key, double(value));
+    if (const float sheen = std::max({factors.sheen.r, factors.sheen.g, factors.sheen.b}); sheen > 0.f) {
+        state.parameters.sheen = sheen;
+        state.parameters.sheenColor = factors.sheen / sheen;
+    }
     state.parameters.wrap = factors.clamped ? Wrap::Clamp : Wrap::Repeat;
 }
 

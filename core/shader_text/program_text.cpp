@@ -64,6 +64,16 @@ void variantFiles(Assembly& part, const ProgramFeatures& features, ShaderPlace p
             part.file(shader.files[features.variants[i]]);
 }
 
+// What lies over the shading model: nothing, or all layers, of which those that are off do nothing.
+void layerFiles(Assembly& part, const ProgramFeatures& features)
+{
+    const bool any = std::ranges::any_of(kParameters,
+        [&](const ParameterRow& row) { return row.shader.place == ShaderPlace::Layer && features.variant(row.member) != 0; });
+    if (any)
+        variantFiles(part, features, ShaderPlace::Layer);
+    part.file(any ? "shading/layers.glsl" : "shading/layers_none.glsl");
+}
+
 // From light to the screen: toDisplay() and throughLens().
 Assembly& displayFiles(Assembly& part, const ProgramFeatures& features)
 {
@@ -108,7 +118,11 @@ void viewRayFiles(Assembly& part, const ViewRow& view, const ProgramFeatures& fe
         part.file("view_ray/view_ray_straight.glsl");
     if (isCompared)
         part.file(features.prisms ? "exact/exact_prisms.glsl" : "exact/exact_ray.glsl");
-    part.file(view.showsHoles ? "view_ray/holes_shown.glsl" : isCompared ? "view_ray/holes_exact.glsl" : "view_ray/holes_cut.glsl");
+    const bool seesThrough = view.light == ViewLight::All && features.variant(&Parameters::shading) == std::size_t(Shading::Thesis);
+    part.file(view.showsHoles ? "view_ray/holes_shown.glsl"
+            : isCompared      ? "view_ray/holes_exact.glsl"
+            : seesThrough     ? "view_ray/holes_outline.glsl"
+                              : "view_ray/holes_cut.glsl");
 }
 
 Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderReader& read)
@@ -136,6 +150,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         if (view->light == ViewLight::All) {
             part.file(features.exported && !features.panorama ? "shading/ambient.glsl" : "shading/environment.glsl");
             variantFiles(part, features, ShaderPlace::Light);
+            layerFiles(part, features);
             part.file("shading/lights_one.glsl").file("shading/shade.glsl");
         }
         part.file(features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
@@ -208,13 +223,15 @@ EnumSet<MapKind> presentMaps(const Material& material)
 }
 
 namespace {
-bool isChosen(ShaderPlace place, const ViewRow& view, bool linear)
+bool isChosen(ShaderPlace place, const Parameters& parameters, const ViewRow& view, bool linear)
 {
     switch (place) {
     case ShaderPlace::Surface:
         return true;
     case ShaderPlace::Light:
         return view.light == ViewLight::All;
+    case ShaderPlace::Layer:
+        return view.light == ViewLight::All && parameters.shading == Shading::MetallicRoughness;
     case ShaderPlace::Display:
         return view.light == ViewLight::All && view.isColor && !linear;
     }
@@ -240,7 +257,7 @@ ProgramFeatures programFeatures(
         .objectShadows = parameters.objectShadows && shadowed,
         .clamps = (technique.isExact || view.isAgainstExact) && parameters.wrap == Wrap::Clamp};
     for (const ParameterRow& row : kParameters)
-        if (!row.shader.files.front().empty() && isChosen(row.shader.place, view, linear))
+        if (!row.shader.files.front().empty() && isChosen(row.shader.place, parameters, view, linear))
             features.setVariant(row.member, variantOf(row, get(parameters, row)));
     if (!technique.displaces)
         features.setVariant(&Parameters::depthOfHit, 0);

@@ -52,7 +52,7 @@ constexpr std::string_view wordOf(Silhouettes silhouettes)
 }
 
 // The shading model.
-enum class Shading { MetallicRoughness, BlinnPhong };
+enum class Shading { MetallicRoughness, BlinnPhong, Thesis };
 constexpr std::string_view wordOf(Shading shading)
 {
     switch (shading) {
@@ -60,6 +60,8 @@ constexpr std::string_view wordOf(Shading shading)
         return "metallic-roughness";
     case Shading::BlinnPhong:
         return "blinn-phong";
+    case Shading::Thesis:
+        return "thesis";
     }
     return {};
 }

@@ -10,7 +10,7 @@
 
 namespace relievo {
 
-enum class MapKind { Height, Color, Normal, Roughness, Gloss, Metallic, AmbientOcclusion, Specular, Emission, Opacity };
+enum class MapKind { Height, Color, Normal, Roughness, Gloss, Metallic, AmbientOcclusion, Specular, Emission, Opacity, Optics };
 
 struct MapKindRow {
     MapKind kind;
@@ -112,6 +112,14 @@ inline constexpr auto kMapKinds = std::to_array<MapKindRow>({
         .fileName = "Opacity",
         .suffixes = "opacity alpha mask",
         .help = "0 transparent (cut away), 1 opaque."},
+    {.kind = MapKind::Optics,
+        .key = "optics",
+        .label = "Optics",
+        .channels = 3,
+        .withoutMap = "vec3(shininess / 255.0f, 0.5f / ior, mirror)",
+        .fileName = "Optics",
+        .suffixes = "optics shininessetamirror",
+        .help = "Of the thesis shading model: shininess over 255 in red, half of the ratio of refraction (1 / index) in green, mirror in blue."},
 });
 inline constexpr std::size_t kMapKindCount = kMapKinds.size();
 

@@ -60,6 +60,15 @@ struct Parameters { // the initialisers ARE the defaults
     float shininess = 40.f;
     float aoStrength = 1.f;
     float emission = 1.f;
+    float mirror = 0.f;
+    float ior = 1.5f;
+    // Layers
+    float clearcoat = 0.f;
+    float clearcoatRoughness = 0.f;
+    float sheen = 0.f;
+    glm::vec3 sheenColor{1.f};
+    float sheenRoughness = 0.4f;
+    float transmission = 0.f;
     // Light
     float lightYaw = -50.f;
     float lightPitch = 40.f;
@@ -94,7 +103,7 @@ template <class T> struct MemberTypeOf<T Parameters::*> {
 };
 template <class M> using MemberType = typename MemberTypeOf<M>::Type;
 
-enum class Group { Shape, Search, Mesh, Shadows, Shading, Light, Camera, View };
+enum class Group { Shape, Search, Mesh, Shadows, Shading, Layers, Light, Camera, View };
 constexpr std::string_view wordOf(Group group)
 {
     switch (group) {
@@ -108,6 +117,8 @@ constexpr std::string_view wordOf(Group group)
         return "Shadows";
     case Group::Shading:
         return "Shading";
+    case Group::Layers:
+        return "Layers";
     case Group::Light:
         return "Light";
     case Group::Camera:
@@ -129,8 +140,8 @@ enum class Affects {
 };
 
 // Which shader text a parameter chooses, one file for each option (of a switch, or of a number that is 0 or more, off and on), and where it
-// stands in a program: before the search, where light is computed, or where it is shown.
-enum class ShaderPlace { Surface, Light, Display };
+// stands in a program: before the search, where light is computed, over the shading model where there is any such layer, or where it is shown.
+enum class ShaderPlace { Surface, Light, Layer, Display };
 struct ShaderChoice {
     ShaderPlace place = ShaderPlace::Surface;
     std::array<std::string_view, 5> files = {}; // under shaders/
@@ -425,8 +436,9 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .group = Group::Shading,
         .max = kLast<Shading>,
         .affects = {Affects::ProgramText},
-        .shader = {.place = ShaderPlace::Light, .files = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl"}},
-        .help = "Metallic-roughness as glTF and engines, or Blinn-Phong as the relief mapping papers."},
+        .shader = {.place = ShaderPlace::Light, .files = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl", "shading/thesis.glsl"}},
+        .help = "Metallic-roughness as glTF and engines, Blinn-Phong as the relief mapping papers, or Phong with reflection and refraction as "
+                "the thesis on derivative-based relief mapping."},
     {.member = &Parameters::tint,
         .key = "tint",
         .label = "Tint",
@@ -473,6 +485,65 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .max = 100.f,
         .unit = "x",
         .help = "Multiplies the emission map."},
+    {.member = &Parameters::mirror,
+        .key = "mirror",
+        .label = "Mirror",
+        .group = Group::Shading,
+        .shown = {.when = Condition(&Parameters::shading, Shading::Thesis)},
+        .help = "Share of the surroundings' reflection in what is seen; blue of the optics map, where there is one."},
+    {.member = &Parameters::ior,
+        .key = "ior",
+        .label = "Refraction",
+        .group = Group::Shading,
+        .min = 1.f,
+        .max = 3.f,
+        .help = "Index of refraction: how much is reflected from the front, and how light bends that goes through. Glass and most else: 1.5; "
+                "the optics map has its inverse in green."},
+
+    {.member = &Parameters::clearcoat,
+        .key = "clearcoat",
+        .label = "Clear coat",
+        .group = Group::Layers,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Layer, .files = {"shading/coat_none.glsl", "shading/coat.glsl"}},
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "A layer of lacquer, as smooth as the mesh, over the relief's material."},
+    {.member = &Parameters::clearcoatRoughness,
+        .key = "clearcoatRoughness",
+        .label = "Coat roughness",
+        .group = Group::Layers,
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Roughness of the clear coat."},
+    {.member = &Parameters::sheen,
+        .key = "sheen",
+        .label = "Sheen",
+        .group = Group::Layers,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Layer, .files = {"shading/sheen_none.glsl", "shading/sheen.glsl"}},
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "The soft light along the edges of cloth and velvet."},
+    {.member = &Parameters::sheenColor,
+        .key = "sheenColor",
+        .label = "Sheen color",
+        .group = Group::Layers,
+        .unit = "linear",
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Color of the sheen."},
+    {.member = &Parameters::sheenRoughness,
+        .key = "sheenRoughness",
+        .label = "Sheen roughness",
+        .group = Group::Layers,
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "How far the sheen spreads from the edges."},
+    {.member = &Parameters::transmission,
+        .key = "transmission",
+        .label = "Transmission",
+        .group = Group::Layers,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Layer, .files = {"shading/through_none.glsl", "shading/through.glsl"}},
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Share of the light that goes through instead of being scattered: the surroundings, bent by Refraction; a way of one relief depth "
+                "colors it as the base color."},
 
     {.member = &Parameters::lightYaw,
         .key = "lightYaw",

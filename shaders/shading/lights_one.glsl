@@ -5,5 +5,5 @@ vec3 reflectedLights(Surface surface, ShadingPoint point)
 {
     if (dot(point.normal, lightDirection) <= 0.0f)
         return vec3(0.0f);
-    return reflected(point, lightDirection) * lightColor * (lightIntensity * min(lightReaching(surface), lightPassing(surface)));
+    return shone(surface, point, lightDirection) * lightColor * (lightIntensity * min(lightReaching(surface), lightPassing(surface)));
 }

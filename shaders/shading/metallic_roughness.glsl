@@ -19,7 +19,14 @@ ShadingPoint shadingPointOf(Surface surface)
     float rough = clamp(roughnessAt(uv, surface.footprint) * roughness, 0.045f, 1.0f);
     float metal = metallicAt(uv, surface.footprint) * metallic;
     float nv = clamp(dot(n, surface.toEye), 0.001f, 1.0f);
-    return ShadingPoint(n, surface.toEye, nv, base * (1.0f - metal), mix(vec3(0.04f), base, metal), rough);
+    float step = (ior - 1.0f) / (ior + 1.0f);
+    return ShadingPoint(n, surface.toEye, nv, base * (1.0f - metal), mix(vec3(step * step), base, metal), rough);
+}
+
+// Of the surface's own light.
+float emittedShare(ShadingPoint point)
+{
+    return 1.0f;
 }
 
 // What is reflected of a light whose irradiance over pi is 1, as a share.

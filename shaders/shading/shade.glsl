@@ -6,6 +6,6 @@ vec3 shade(Surface surface)
     vec2 uv = surface.hit.uv;
     ShadingPoint point = shadingPointOf(surface);
     float occlusion = mix(1.0f, aoAt(uv, surface.footprint), aoStrength);
-    return reflectedLights(surface, point) + reflectedSurroundings(point) * (environmentIntensity * occlusion)
-        + emissionAt(uv, surface.footprint) * emission;
+    return reflectedLights(surface, point) + shoneAround(surface, point) * (environmentIntensity * occlusion)
+        + emissionAt(uv, surface.footprint) * (emission * emittedShare(point));
 }

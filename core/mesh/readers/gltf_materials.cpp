@@ -4,6 +4,7 @@
 #include "core/mesh/readers/gltf_materials.h"
 #include "core/gltf/gltf_document.h"
 #include "core/gltf/gltf_extensions.h"
+#include "core/gltf/gltf_layers.h"
 #include "core/gltf/gltf_uri.h"
 #include "core/gltf/gltf_values.h"
 #include "core/gltf/pictures.h"
@@ -134,7 +135,19 @@ private:
         const auto brighter = material.extensions.find(kBrighterExtension);
         factors.emission
             = brightest * float(brighter == material.extensions.end() ? 1.0 : numberOf(member(brighter->second, "emissiveStrength"), 1.0));
+        readLayers(material, factors);
         m_material.factors = factors;
+    }
+
+    static void readLayers(const tinygltf::Material& material, MeshFactors& factors)
+    {
+        for (const GltfLayerRow& row : kGltfLayers)
+            if (const auto found = material.extensions.find(row.extension); found != material.extensions.end())
+                factors.layers.emplace_back(kParameters[indexOf(row.member)].key,
+                    float(numberOf(member(found->second, row.factor), double(row.without))));
+        if (const auto found = material.extensions.find(kSheenExtension); found != material.extensions.end())
+            for (int i = 0; i < 3; ++i)
+                factors.sheen[i] = float(std::clamp(element(member(found->second, kSheenColor), i, 0.0), 0.0, 1.0));
     }
 
     // KHR_materials_pbrSpecularGlossiness. A gloss map is shown as it is: roughness multiplies 1 - gloss, which no factor of gloss does.

@@ -24,12 +24,12 @@ constexpr auto kExtensions = std::to_array<ExtensionRow>({
     {kBrighterExtension, ""},
     {kSpecularGlossinessExtension, ""},
     {"KHR_materials_unlit", "unlit materials"},
-    {"KHR_materials_clearcoat", "clear coat", "clearcoatFactor"},
-    {"KHR_materials_transmission", "transmission", "transmissionFactor"},
+    {"KHR_materials_clearcoat", ""},
+    {"KHR_materials_transmission", ""},
     {"KHR_materials_diffuse_transmission", "diffuse transmission", "diffuseTransmissionFactor"},
     {"KHR_materials_volume", "volume", "thicknessFactor"},
-    {"KHR_materials_ior", "index of refraction (ior)", "ior", 1.5},
-    {"KHR_materials_sheen", "sheen"},
+    {"KHR_materials_ior", ""},
+    {"KHR_materials_sheen", ""},
     {"KHR_materials_specular", "specular strength"},
     {"KHR_materials_iridescence", "iridescence", "iridescenceFactor"},
     {"KHR_materials_anisotropy", "anisotropy", "anisotropyStrength"},
@@ -64,6 +64,10 @@ void addExtension(const std::string& name, const tinygltf::Value& value, Losses&
     const auto row = std::ranges::find(kExtensions, name, &ExtensionRow::name);
     if (row == kExtensions.end())
         return losses.add("the extension " + shownName(name));
+    if (row->words.empty() && name.starts_with("KHR_materials_") && name != kSpecularGlossinessExtension && value.IsObject())
+        for (const std::string& key : value.Keys()) // the numbers are followed, pictures are not
+            if (key.ends_with("Texture"))
+                losses.add("the picture " + shownName(key));
     const bool inEffect = !row->factor || numberOf(member(value, row->factor), row->none) != row->none;
     if (inEffect)
         losses.add(std::string(row->words));

@@ -293,6 +293,24 @@ TEST_F(Export, BrightEmissionGoesIntoTheStrength)
     EXPECT_FALSE(clipped());
 }
 
+TEST_F(Export, LayersComeBackFromGltf)
+{
+    ASSERT_TRUE(run("gltf", "plain.glb"));
+    for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_transmission", "KHR_materials_ior"})
+        EXPECT_FALSE(glb("plain.glb")["materials"][0]["extensions"].contains(name)) << name;
+    Parameters& p = m_state.parameters;
+    p.clearcoat = 0.75f, p.clearcoatRoughness = 0.25f, p.sheen = 0.5f, p.sheenColor = {1.f, 0.5f, 0.25f}, p.sheenRoughness = 0.625f;
+    p.transmission = 0.375f, p.ior = 1.25f;
+    ASSERT_TRUE(run("gltf", "a.glb"));
+    const Expected<Opened> again = openSource((m_folder / "a.glb").string(), State());
+    ASSERT_TRUE(again) << message(again.error());
+    for (const char* key :
+        {"clearcoat", "clearcoatRoughness", "sheen", "sheenColor", "sheenRoughness", "transmission", "ior"})
+        EXPECT_EQ(get(again->state.parameters, *findParameter(key)), get(p, *findParameter(key))) << key;
+    for (const Warning& warning : again->warnings)
+        EXPECT_NE(warning.code, "not-shown") << warning.text;
+}
+
 TEST_F(Export, WhatGltfLeavesOutIsTold)
 {
     const auto codes = [&] {

@@ -42,6 +42,23 @@ TEST(ProgramText, OnlyWhatIsOn)
     EXPECT_FALSE(textOf("relief", "shaded", {}, {MapKind::Height}).fragment.mentions("colorMap"));
 }
 
+TEST(ProgramText, LayersThatAreOffCostNothing)
+{
+    Parameters parameters;
+    const std::string plain = textOf("relief", "shaded", parameters).fragment.text;
+    for (const char* word : {"clearcoat", "sheen", "transmission", "opticsMap", "lookDirection"})
+        EXPECT_FALSE(mentionsIdentifier(plain, word)) << word;
+    parameters.clearcoatRoughness = 0.5f, parameters.sheenRoughness = 1.f;
+    EXPECT_EQ(textOf("relief", "shaded", parameters).fragment.text, plain);
+    parameters.clearcoat = 0.5f;
+    const ProgramText coated = textOf("relief", "shaded", parameters);
+    EXPECT_TRUE(coated.fragment.mentions("clearcoat"));
+    EXPECT_FALSE(coated.fragment.mentions("sheenColor"));
+    parameters.shading = Shading::BlinnPhong; // has no such layers
+    EXPECT_FALSE(textOf("relief", "shaded", parameters).fragment.mentions("clearcoat"));
+    EXPECT_EQ(textOf("relief", "depth", parameters).fragment.text, textOf("relief", "depth").fragment.text);
+}
+
 TEST(ProgramText, ExactSearchesKnowWrapAndLevelBeforehand)
 {
     Parameters parameters;
