@@ -25,6 +25,7 @@ constexpr auto kPages = std::to_array<PageRow>({
     {"comparing.md", "Comparing techniques"},
     {"deciding.md", "Deciding on a technique"},
     {"camera.md", "Camera and picture"},
+    {"optics.md", "Coat, cloth, glass"},
     {"targets.md", "Export targets"},
     {"command-line.md", "The command line"},
     {"reference.md", "Reference"},
