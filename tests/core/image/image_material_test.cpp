@@ -45,6 +45,19 @@ TEST(Material, HeightsKeepSixteenBits)
     EXPECT_TRUE(material->warnings.empty());
 }
 
+TEST(Material, AnOpticsMapNeedsThreeChannels)
+{
+    const TemporaryFolder folder;
+    const auto one = loadOne(folder, "one.png", noiseImage(kSize, kSize, 1, PixelType::U8), MapKind::Optics);
+    const std::string told = one ? (one->warnings.empty() ? "" : one->warnings.front().text) : message(one.error());
+    EXPECT_NE(told.find("one.png"), std::string::npos) << told;
+    EXPECT_NE(told.find("one channel"), std::string::npos) << told;
+    const auto three = loadOne(folder, "three.png", noiseImage(kSize, kSize, 3, PixelType::U8), MapKind::Optics);
+    ASSERT_TRUE(three);
+    ASSERT_TRUE(three->map(MapKind::Optics));
+    EXPECT_EQ(three->map(MapKind::Optics)->channels, 3);
+}
+
 TEST(Material, InvertMakesHeightOfDepth)
 {
     const TemporaryFolder folder;
