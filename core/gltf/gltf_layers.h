@@ -10,7 +10,7 @@ namespace relievo {
 struct GltfLayerRow {
     const char* extension;
     const char* factor; // a member of it
-    float Parameters::* member;
+    float Parameters::*member;
     float without; // value where the extension or the member is missing
     bool decides = false; // the extension has no effect where this is `without`
 };

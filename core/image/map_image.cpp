@@ -187,7 +187,8 @@ Expected<std::shared_ptr<const Image>> mapOf(
     if (kind == MapKind::Normal && image.channels == 1)
         return failure(file, "it has one channel, so it cannot be a normal map", "Assign it as the height map instead");
     if (kind == MapKind::Optics && image.channels < 3)
-        return failure(file, "it has " + std::string(image.channels == 1 ? "one channel" : "two channels") + ", so it cannot be an optics map",
+        return failure(file,
+            "it has " + std::string(image.channels == 1 ? "one channel" : "two channels") + ", so it cannot be an optics map",
             "Put shininess, refraction and mirror into red, green and blue, or assign it as the gloss map");
     if (image.channels == row(kind).channels && !slot.invert && needsNoRepair(image, slot.channel)
         && (kind != MapKind::Normal || normalLayout(image, namedRelief) == NormalLayout::Xyz))

@@ -67,8 +67,8 @@ void variantFiles(Assembly& part, const ProgramFeatures& features, ShaderPlace p
 // What lies over the shading model: nothing, or all layers, of which those that are off do nothing.
 void layerFiles(Assembly& part, const ProgramFeatures& features)
 {
-    const bool any = std::ranges::any_of(kParameters,
-        [&](const ParameterRow& row) { return row.shader.place == ShaderPlace::Layer && features.variant(row.member) != 0; });
+    const bool any = std::ranges::any_of(
+        kParameters, [&](const ParameterRow& row) { return row.shader.place == ShaderPlace::Layer && features.variant(row.member) != 0; });
     if (any)
         variantFiles(part, features, ShaderPlace::Layer);
     part.file(any ? "shading/layers.glsl" : "shading/layers_none.glsl");

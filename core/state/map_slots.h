@@ -119,7 +119,8 @@ inline constexpr auto kMapKinds = std::to_array<MapKindRow>({
         .withoutMap = "vec3(shininess / 255.0f, 0.5f / ior, mirror)",
         .fileName = "Optics",
         .suffixes = "optics shininessetamirror",
-        .help = "Of the thesis shading model: shininess over 255 in red, half of the ratio of refraction (1 / index) in green, mirror in blue."},
+        .help
+        = "Of the thesis shading model: shininess over 255 in red, half of the ratio of refraction (1 / index) in green, mirror in blue."},
 });
 inline constexpr std::size_t kMapKindCount = kMapKinds.size();
 

@@ -140,7 +140,8 @@ enum class Affects {
 };
 
 // Which shader text a parameter chooses, one file for each option (of a switch, or of a number that is 0 or more, off and on), and where it
-// stands in a program: before the search, where light is computed, over the shading model where there is any such layer, or where it is shown.
+// stands in a program: before the search, where light is computed, over the shading model where there is any such layer, or where it is
+// shown.
 enum class ShaderPlace { Surface, Light, Layer, Display };
 struct ShaderChoice {
     ShaderPlace place = ShaderPlace::Surface;
@@ -436,9 +437,11 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .group = Group::Shading,
         .max = kLast<Shading>,
         .affects = {Affects::ProgramText},
-        .shader = {.place = ShaderPlace::Light, .files = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl", "shading/thesis.glsl"}},
-        .help = "Metallic-roughness as glTF and engines, Blinn-Phong as the relief mapping papers, or Phong with reflection and refraction as "
-                "the thesis on derivative-based relief mapping."},
+        .shader
+        = {.place = ShaderPlace::Light, .files = {"shading/metallic_roughness.glsl", "shading/blinn_phong.glsl", "shading/thesis.glsl"}},
+        .help
+        = "Metallic-roughness as glTF and engines, Blinn-Phong as the relief mapping papers, or Phong with reflection and refraction as "
+          "the thesis on derivative-based relief mapping."},
     {.member = &Parameters::tint,
         .key = "tint",
         .label = "Tint",
@@ -497,8 +500,9 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .group = Group::Shading,
         .min = 1.f,
         .max = 3.f,
-        .help = "Index of refraction: how much is reflected from the front, and how light bends that goes through. Glass and most else: 1.5; "
-                "the optics map has its inverse in green."},
+        .help
+        = "Index of refraction: how much is reflected from the front, and how light bends that goes through. Glass and most else: 1.5; "
+          "the optics map has its inverse in green."},
 
     {.member = &Parameters::clearcoat,
         .key = "clearcoat",
@@ -542,7 +546,8 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .affects = {Affects::ProgramText},
         .shader = {.place = ShaderPlace::Layer, .files = {"shading/through_none.glsl", "shading/through.glsl"}},
         .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
-        .help = "Share of the light that goes through instead of being scattered: the surroundings, bent by Refraction; a way of one relief depth "
+        .help = "Share of the light that goes through instead of being scattered: the surroundings, bent by Refraction; a way of one "
+                "relief depth "
                 "colors it as the base color."},
 
     {.member = &Parameters::lightYaw,

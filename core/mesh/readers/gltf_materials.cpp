@@ -143,8 +143,8 @@ private:
     {
         for (const GltfLayerRow& row : kGltfLayers)
             if (const auto found = material.extensions.find(row.extension); found != material.extensions.end())
-                factors.layers.emplace_back(kParameters[indexOf(row.member)].key,
-                    float(numberOf(member(found->second, row.factor), double(row.without))));
+                factors.layers.emplace_back(
+                    kParameters[indexOf(row.member)].key, float(numberOf(member(found->second, row.factor), double(row.without))));
         if (const auto found = material.extensions.find(kSheenExtension); found != material.extensions.end())
             for (int i = 0; i < 3; ++i)
                 factors.sheen[i] = float(std::clamp(element(member(found->second, kSheenColor), i, 0.0), 0.0, 1.0));

@@ -304,8 +304,7 @@ TEST_F(Export, LayersComeBackFromGltf)
     ASSERT_TRUE(run("gltf", "a.glb"));
     const Expected<Opened> again = openSource((m_folder / "a.glb").string(), State());
     ASSERT_TRUE(again) << message(again.error());
-    for (const char* key :
-        {"clearcoat", "clearcoatRoughness", "sheen", "sheenColor", "sheenRoughness", "transmission", "ior"})
+    for (const char* key : {"clearcoat", "clearcoatRoughness", "sheen", "sheenColor", "sheenRoughness", "transmission", "ior"})
         EXPECT_EQ(get(again->state.parameters, *findParameter(key)), get(p, *findParameter(key))) << key;
     for (const Warning& warning : again->warnings)
         EXPECT_NE(warning.code, "not-shown") << warning.text;

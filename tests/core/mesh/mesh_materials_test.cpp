@@ -373,9 +373,10 @@ TEST(MeshMaterials, SamplersThatClampAreFollowedAndOthersTold)
 TEST(MeshMaterials, WhatIsNotShownIsToldOnce)
 {
     const Expected<Mesh> mesh = opened("a.gltf",
-        texturedQuad(R"({"alphaMode":"BLEND","emissiveFactor":[1,0,0],"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]},"extensions":)"
-                     R"({"KHR_materials_unlit":{},"KHR_materials_clearcoat":{"clearcoatFactor":1,"clearcoatTexture":{"index":0}},"KHR_materials_iridescence":)"
-                     R"({"iridescenceFactor":1},"KHR_materials_transmission":{"transmissionFactor":0.7},"XYZ_new":{}}})"));
+        texturedQuad(
+            R"({"alphaMode":"BLEND","emissiveFactor":[1,0,0],"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]},"extensions":)"
+            R"({"KHR_materials_unlit":{},"KHR_materials_clearcoat":{"clearcoatFactor":1,"clearcoatTexture":{"index":0}},"KHR_materials_iridescence":)"
+            R"({"iridescenceFactor":1},"KHR_materials_transmission":{"transmissionFactor":0.7},"XYZ_new":{}}})"));
     ASSERT_TRUE(mesh);
     EXPECT_EQ(std::ranges::count(mesh->warnings, "not-shown", &Warning::code), 1);
     const std::string text = std::ranges::find(mesh->warnings, "not-shown", &Warning::code)->text;
@@ -383,8 +384,9 @@ TEST(MeshMaterials, WhatIsNotShownIsToldOnce)
         EXPECT_NE(text.find(word), std::string::npos) << word << ": " << text;
     EXPECT_EQ(text.find("transmission"), std::string::npos); // it is
     const Expected<Mesh> plain = opened("a.gltf",
-        texturedQuad(R"({"extensions":{"KHR_materials_clearcoat":{"clearcoatFactor":0},"KHR_materials_iridescence":{"iridescenceFactor":0},)"
-                     R"("KHR_materials_emissive_strength":{"emissiveStrength":2}}})"));
+        texturedQuad(
+            R"({"extensions":{"KHR_materials_clearcoat":{"clearcoatFactor":0},"KHR_materials_iridescence":{"iridescenceFactor":0},)"
+            R"("KHR_materials_emissive_strength":{"emissiveStrength":2}}})"));
     EXPECT_FALSE(told(*plain, "not-shown"));
     std::string coloured = texturedQuad("{}");
     const std::string from = "\"POSITION\":0";

@@ -46,7 +46,8 @@ template <class Reflected> double albedo(Reflected reflected)
     for (int i = 0; i < kRings; ++i)
         for (int k = 0; k < kSectors; ++k) {
             const double polar = (i + 0.5) * 0.5 * std::numbers::pi / kRings, around = (k + 0.5) * 2. * std::numbers::pi / kSectors;
-            const vec3 toLight(float(std::sin(polar) * std::cos(around)), float(std::sin(polar) * std::sin(around)), float(std::cos(polar)));
+            const vec3 toLight(
+                float(std::sin(polar) * std::cos(around)), float(std::sin(polar) * std::sin(around)), float(std::cos(polar)));
             sum += double(reflected(toLight)) * std::sin(polar);
         }
     return sum * (0.5 * std::numbers::pi / kRings) * (2. * std::numbers::pi / kSectors) / std::numbers::pi;
