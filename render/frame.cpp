@@ -132,7 +132,7 @@ void useProgram(DrawContext& context, const Frame& frame, const LinkedProgram& p
     program.use();
     program.set(frame.parameters);
     program.set(uniforms);
-    context.uploads.bindMaps(program, frame.parameters.wrap, frame.acceleration);
+    context.uploads.bindMaps(program, frame.parameters, frame.acceleration);
     context.uploads.bindExact(program, frame.request.pane(), frame.request.exact());
     context.mesh.bind(program, frame.parameters, frame.request.state().part, frame.curvature);
     if (program.reads("shadowMap"))

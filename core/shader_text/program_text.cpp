@@ -29,12 +29,12 @@ std::string mapFunction(const MapKindRow& row, bool present, bool gloss, bool pa
     const auto in = std::ranges::find(kPackedMaps, row.kind, &PackedMap::kind);
     if (packed && present && in != kPackedMaps.end())
         return "float " + std::string(row.key) + "At(vec2 uv, float footprint) { return textureLod(" + std::string(in->map)
-            + ", uv, max(0.0f, footprint + " + std::string(in->map) + "Levels))" + std::string(in->channel) + "; }\n";
+            + ", uv, mapLevel(footprint + " + std::string(in->map) + "Levels))" + std::string(in->channel) + "; }\n";
     const std::string map = gloss ? "glossMap" : std::string(row.key) + "Map";
     std::string text = std::string(scalar ? "float " : "vec3 ") + std::string(row.key) + "At(vec2 uv, float footprint) { return ";
     if (!present)
         return text + std::string(row.withoutMap) + "; }\n";
-    const std::string fetch = "textureLod(" + map + ", uv, max(0.0f, footprint + " + map + "Levels))" + (scalar ? ".r" : ".rgb");
+    const std::string fetch = "textureLod(" + map + ", uv, mapLevel(footprint + " + map + "Levels))" + (scalar ? ".r" : ".rgb");
     return text + (gloss ? "1.0f - " + fetch : fetch) + "; }\n";
 }
 
@@ -261,6 +261,8 @@ ProgramFeatures programFeatures(
             features.setVariant(row.member, variantOf(row, get(parameters, row)));
     if (!technique.displaces)
         features.setVariant(&Parameters::depthOfHit, 0);
+    if (!maps.contains(MapKind::Normal))
+        features.setVariant(&Parameters::normalFiltering, 0);
     return features;
 }
 

@@ -66,6 +66,21 @@ constexpr std::string_view wordOf(Shading shading)
     return {};
 }
 
+// How normals that differ within a pixel widen its highlight.
+enum class NormalFiltering { Off, Toksvig, Variance };
+constexpr std::string_view wordOf(NormalFiltering filtering)
+{
+    switch (filtering) {
+    case NormalFiltering::Off:
+        return "off";
+    case NormalFiltering::Toksvig:
+        return "toksvig";
+    case NormalFiltering::Variance:
+        return "variance";
+    }
+    return {};
+}
+
 // What is drawn behind the mesh.
 enum class Backdrop { Plain, Environment, Transparent, Gradient };
 constexpr std::string_view wordOf(Backdrop background)

@@ -51,6 +51,11 @@ struct Parameters { // the initialisers ARE the defaults
     float lightSize = 0.f;
     bool objectShadows = false;
     int shadowMapSize = 1024;
+    // Filtering
+    bool textureFilter = true;
+    bool mipMapping = true;
+    float anisotropy = 4.f;
+    NormalFiltering normalFiltering = NormalFiltering::Off;
     // Shading
     Shading shading = Shading::MetallicRoughness;
     glm::vec3 tint{1.f};
@@ -95,7 +100,8 @@ struct Parameters { // the initialisers ARE the defaults
 
 // The kinds of parameter. A vec3 is a linear colour.
 using Member = std::variant<float Parameters::*, int Parameters::*, bool Parameters::*, glm::vec3 Parameters::*, Wrap Parameters::*,
-    Frames Parameters::*, Silhouettes Parameters::*, Shading Parameters::*, Backdrop Parameters::*, ToneCurve Parameters::*>;
+    Frames Parameters::*, Silhouettes Parameters::*, Shading Parameters::*, Backdrop Parameters::*, ToneCurve Parameters::*,
+    NormalFiltering Parameters::*>;
 
 template <class M> struct MemberTypeOf;
 template <class T> struct MemberTypeOf<T Parameters::*> {
@@ -103,7 +109,7 @@ template <class T> struct MemberTypeOf<T Parameters::*> {
 };
 template <class M> using MemberType = typename MemberTypeOf<M>::Type;
 
-enum class Group { Shape, Search, Mesh, Shadows, Shading, Layers, Light, Camera, View };
+enum class Group { Shape, Search, Mesh, Shadows, Filtering, Shading, Layers, Light, Camera, View };
 constexpr std::string_view wordOf(Group group)
 {
     switch (group) {
@@ -115,6 +121,8 @@ constexpr std::string_view wordOf(Group group)
         return "On the mesh";
     case Group::Shadows:
         return "Shadows";
+    case Group::Filtering:
+        return "Filtering";
     case Group::Shading:
         return "Shading";
     case Group::Layers:
@@ -430,6 +438,40 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .affects = {Affects::ShadowMap},
         .shown = {.when = Condition(&Parameters::objectShadows, true)},
         .help = "Texels a side of the map for shadows between objects; more make finer edges."},
+
+    {.member = &Parameters::textureFilter,
+        .key = "textureFilter",
+        .label = "Texture filtering",
+        .group = Group::Filtering,
+        .help = "Off: the nearest texel of color, normal and all other maps but the heights, as old machines had it."},
+    {.member = &Parameters::mipMapping,
+        .key = "mipMapping",
+        .label = "Mip mapping",
+        .group = Group::Filtering,
+        .affects = {Affects::ProgramText},
+        .shader = {.files = {"surface/mips_none.glsl", "surface/mips.glsl"}},
+        .help = "Off: the finest level of all maps but the heights (Coarser far away), which sparkles where they are minified."},
+    {.member = &Parameters::anisotropy,
+        .key = "anisotropy",
+        .label = "Anisotropy",
+        .group = Group::Filtering,
+        .min = 1.f,
+        .max = 16.f,
+        .unit = "x",
+        .help
+        = "Where a pixel sees a long strip of the texture, mip levels follow its shorter side, but at most so much below the longer one: "
+          "more is sharper at grazing views, and needs more samples."},
+    {.member = &Parameters::normalFiltering,
+        .key = "normalFiltering",
+        .label = "Normals far away",
+        .group = Group::Filtering,
+        .max = kLast<NormalFiltering>,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Light,
+            .files = {"shading/spread_none.glsl", "shading/spread_toksvig.glsl", "shading/spread_variance.glsl"}},
+        .help
+        = "Normals that differ within a pixel make it rougher, so that far views keep their brightness: by Toksvig's factor, or by adding "
+          "their variance. Needs a normal map."},
 
     {.member = &Parameters::shading,
         .key = "shading",

@@ -72,12 +72,28 @@ void Uploads::bindMap(const LinkedProgram& program, const std::string& sampler, 
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
 }
 
-void Uploads::bindMaps(const LinkedProgram& program, Wrap wrap, const std::shared_ptr<const AccelerationMap>& acceleration)
+namespace {
+// Of the texture bound last; heights are searched, not shown, and keep theirs.
+void setFilter(const MapKindRow& row, bool filters)
 {
+    if (row.kind == MapKind::Height)
+        return;
+    const GLint usual = row.channels == 1 ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filters ? usual : GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filters ? GL_LINEAR : GL_NEAREST);
+}
+} // namespace
+
+void Uploads::bindMaps(
+    const LinkedProgram& program, const Parameters& parameters, const std::shared_ptr<const AccelerationMap>& acceleration)
+{
+    const Wrap wrap = parameters.wrap;
     int unit = 0;
     for (const MapKindRow& row : kMapKinds)
-        if (const std::string sampler = std::string(row.key) + "Map"; program.reads(sampler.c_str()))
+        if (const std::string sampler = std::string(row.key) + "Map"; program.reads(sampler.c_str())) {
             bindMap(program, sampler, map(row.kind), wrap, unit++);
+            setFilter(row, parameters.textureFilter);
+        }
     if (program.reads("slopeMap"))
         bindMap(program, "slopeMap", slopes(wrap), wrap, unit++);
     if (m_resources.material->height) {

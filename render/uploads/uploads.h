@@ -24,7 +24,7 @@ public:
 
     // Binds the maps, the environment and their sizes that the program reads; uploads those that are missing.
     // acceleration: of the technique, made under `wrap`; or nothing.
-    void bindMaps(const LinkedProgram& program, Wrap wrap, const std::shared_ptr<const AccelerationMap>& acceleration);
+    void bindMaps(const LinkedProgram& program, const Parameters& parameters, const std::shared_ptr<const AccelerationMap>& acceleration);
 
     // The exact answer of a pane's picture, or none: then what was kept for the pane is forgotten.
     void bindExact(const LinkedProgram& program, std::size_t pane, const std::shared_ptr<const ExactDistances>& exact);

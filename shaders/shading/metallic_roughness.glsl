@@ -16,7 +16,7 @@ ShadingPoint shadingPointOf(Surface surface)
     vec2 uv = surface.hit.uv;
     vec3 n = reliefNormal(surface);
     vec3 base = colorAt(uv, surface.footprint) * tint;
-    float rough = clamp(roughnessAt(uv, surface.footprint) * roughness, 0.045f, 1.0f);
+    float rough = spreadRoughness(clamp(roughnessAt(uv, surface.footprint) * roughness, 0.045f, 1.0f), surface);
     float metal = metallicAt(uv, surface.footprint) * metallic;
     float nv = clamp(dot(n, surface.toEye), 0.001f, 1.0f);
     float step = (ior - 1.0f) / (ior + 1.0f);

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: MIT
 vec3 reliefNormal(Surface surface)
 {
-    vec2 slope = textureLod(slopeMap, surface.hit.uv, max(0.0f, surface.footprint + slopeMapLevels)).rg;
+    vec2 slope = textureLod(slopeMap, surface.hit.uv, mapLevel(surface.footprint + slopeMapLevels)).rg;
     return normalize(surface.frame.normal
         - (surface.frame.gradU * slope.x + surface.frame.gradV * slope.y) * (reliefDepth * normalStrength));
 }

@@ -37,10 +37,10 @@ Ray rayInto(Frame frame, vec2 uv, vec3 toSource, float depth)
     return Ray(uv, vec2(dot(travel, frame.gradU), dot(travel, frame.gradV)), cosine, 1.0f);
 }
 
-// A pixel's size in uv: the shorter side of its footprint, but at least a quarter of the longer one (as 4 x anisotropy would).
+// A pixel's size in uv: the shorter side of its footprint, but at least that share of the longer one which anisotropic filtering has.
 float footprintOf(vec2 dx, vec2 dy)
 {
     float longer = max(dot(dx, dx), dot(dy, dy));
     float shorter = min(dot(dx, dx), dot(dy, dy));
-    return 0.5f * log2(max(max(shorter, longer * 0.0625f), 1e-20f));
+    return 0.5f * log2(max(max(shorter, longer / (anisotropy * anisotropy)), 1e-20f));
 }

@@ -64,8 +64,9 @@ TEST(Layers, TheCoatReflectsNoMoreThanItsShare)
             const Surface surface{{{0.f, 0.f, 1.f}}, eyeAt(cosine)};
             EXPECT_LE(albedo([&](vec3 toLight) { return coat.coatReflected(surface, toLight).x; }), 1.01) << rough << ' ' << cosine;
             EXPECT_LE(coat.coatShare(surface), 1.f);
-            if (cosine == 1.f)
+            if (cosine == 1.f) {
                 EXPECT_NEAR(coat.coatShare(surface), 0.04f, 1e-6f); // Fresnel's of 1.5, seen from above
+            }
         }
 }
 
