@@ -44,6 +44,7 @@ SceneUniforms uniformsOf(const Frame& frame)
     const Target& target = frame.request.target();
     SceneUniforms uniforms
         = sceneUniforms(frame.parameters, jittered(frame.request.camera(), target), frame.request.resources().mesh->metresPerUV);
+    setLights(uniforms, frame.parameters, around(frame.request.resources().mesh->boundsMin, frame.request.resources().mesh->boundsMax));
     uniforms.pushOut = frame.technique.displaces ? (1.f - frame.parameters.midlevel) * uniforms.reliefDepth : 0.f;
     uniforms.heatScale = 1.f / heatRange(frame.parameters, frame.view);
     uniforms.sampleTurn = target.jitter.x;

@@ -29,6 +29,7 @@ struct ProgramFeatures {
     EnumSet<MapKind> maps; // maps that the material has
     bool shadows = false; // self-shadows wanted (a technique that does not search has none)
     bool softShadows = false; // and by a light with a size
+    bool severalLights = false; // or one that is not directional, where light is computed
     bool linear = false; // Target::linear
     bool coarser = false; // an exact technique reads mip levels
     bool curved = false; // silhouettes
@@ -58,6 +59,8 @@ ProgramFeatures programFeatures(
 // The same for a shader that others run: with a frame that needs no vertex attributes but position, normal and uv, light from the
 // surroundings by formula, no mip levels of the heights, and nothing that only this renderer can provide (bent rays, shadows between
 // objects). In ES heights are read texel by texel: WebGL2 does not filter them.
+inline constexpr std::string_view kLightsLeftOut
+    = "What is written is lit by the first light, as a directional one: the other lights, and places of lights, are left out.";
 ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps, Dialect dialect);
 // The same in ES for an engine's own loader of pictures, which keeps 8 bits: heights and acceleration map are split into upper and lower
 // bytes (heightMap in red and green; boundHighMap, boundLowMap), occlusion, roughness and metallic lie in ormMap, opacity in the alpha of

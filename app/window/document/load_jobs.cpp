@@ -119,7 +119,7 @@ Expected<Loaded> loadFor(const OpenState& job, const Turn& turn)
 
 bool isLight(const ParameterRow& row)
 {
-    return row.group == Group::Light || row.key == "lightSize";
+    return (row.group >= Group::Light && row.group <= Group::Light4) || row.key == "lightSize";
 }
 
 // What the SOURCE is read on.
