@@ -91,8 +91,9 @@ constexpr std::string_view kCompared[] = {"parallax", "relief", "cell-cone", "po
 // Where lights are, which goes with a camera.
 bool placesLight(const ParameterRow& row)
 {
-    return std::ranges::any_of(kLights,
-        [&](const LightMembers& light) { return row.member == light.yaw || row.member == light.pitch || row.member == light.distance; });
+    return std::ranges::any_of(kLights, [&](const LightMembers& light) {
+        return row.member == Member(light.yaw) || row.member == Member(light.pitch) || row.member == Member(light.distance);
+    });
 }
 
 const ParameterRow& rowOf(const Member& member)

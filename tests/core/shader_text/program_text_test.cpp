@@ -169,8 +169,8 @@ TEST(ProgramText, DependsOnTheParametersThatSaySo)
                     base.shadows = false, base.light2Shadows = base.light3Shadows = base.light4Shadows = false;
                     for (const LightMembers& light : kLights)
                         if (kParameters[indexOf(light.kind)].group == row.group)
-                            base.*light.kind = row.member == light.kind ? LightKind::Off : LightKind::Point,
-                            base.*light.shadows = row.member != light.shadows;
+                            base.*light.kind = row.member == Member(light.kind) ? LightKind::Off : LightKind::Point,
+                            base.*light.shadows = row.member != Member(light.shadows);
                 }
                 Parameters turned = base;
                 set(turned, row, kindOf(row) == ValueKind::Switch ? Value(!std::get<bool>(get(base, row))) : Value(get(base, row)));
