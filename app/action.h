@@ -34,6 +34,8 @@ enum class Action {
     Loupe,
     Frame,
     ResetCamera,
+    TurnLights,
+    Turntable,
     Smoother,
     LightTheme,
     Panels,

@@ -70,6 +70,7 @@ SceneUniforms uniformsOf(const Frame& frame)
     SceneUniforms uniforms
         = sceneUniforms(frame.parameters, shotCamera(frame.request.camera(), frame), frame.request.resources().mesh->metresPerUV);
     uniforms.lookDirection = (frame.request.camera().target - frame.request.camera().eye) / frame.request.camera().distance;
+    setLights(uniforms, frame.parameters, around(frame.request.resources().mesh->boundsMin, frame.request.resources().mesh->boundsMax));
     uniforms.pushOut = frame.technique.displaces ? (1.f - frame.parameters.midlevel) * uniforms.reliefDepth : 0.f;
     uniforms.heatScale = 1.f / heatRange(frame.parameters, frame.view);
     uniforms.sampleTurn = target.jitter.x;

@@ -17,7 +17,7 @@ ProgramFeatures intoShadowMap(ProgramFeatures features, const TechniqueRow& tech
 {
     features.view = knownView("depth").key;
     features.setVariant(&Parameters::shading, 0);
-    features.shadows = features.softShadows = features.objectShadows = false;
+    features.shadows = features.softShadows = features.severalLights = features.objectShadows = false;
     features.setVariant(&Parameters::edgeFade, 0); // by the eye's view, not the light's
     features.setVariant(&Parameters::depthOfHit, technique.displaces ? 1 : 0);
     return features;

@@ -7,6 +7,8 @@
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/docks.h"
 #include "app/window/document/files.h"
+#include "app/window/lights/light_handles.h"
+#include "app/window/lights/turning.h"
 #include "app/window/page.h"
 #include "app/window/panels/animation_bar.h"
 #include "app/window/panels/drop_frame.h"
@@ -35,6 +37,9 @@ MainWindow::MainWindow()
     , m_docks(std::make_unique<Docks>(m_document, m_assets, *m_viewport))
     , m_maps(new MapPanel(m_document, m_assets))
     , m_parameters(new ParameterPanel(m_document))
+    , m_lights(new LightHandles(m_document, m_assets, *m_viewport,
+          [this](std::size_t light) { return light > 0 && m_parameters->isOpen(Group(std::size_t(Group::Light) + light)); }))
+    , m_turning(new Turning(m_document, *m_viewport))
     , m_line(new MessageLine(m_messages, m_assets.background()))
     , m_top(new TopBar(*m_files, this))
     , m_page(new Page({m_maps, m_viewport, m_docks->between(m_compare, m_animation), m_parameters, m_line}))
@@ -56,6 +61,7 @@ MainWindow::~MainWindow()
     // The document and its undo stack tell of their own end; nobody is to listen any more.
     m_document.disconnect();
     m_document.undoStack().disconnect();
+    delete m_lights; // the focus that the viewport loses is none of theirs any more
     delete m_page; // the panels look at the document, which goes first otherwise
 }
 
@@ -74,6 +80,7 @@ void MainWindow::connectAll()
         if (scope)
             m_viewport->setActivePane(int(*scope));
     });
+    connect(m_parameters, &ParameterPanel::sectionsChanged, m_lights, &LightHandles::update);
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
     connect(&m_document, &Document::titleChanged, this, &MainWindow::updateTitle);
     m_top->follow(m_document.undoStack());

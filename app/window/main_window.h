@@ -15,11 +15,13 @@ class CompareBar;
 class Docks;
 class ExportDialog;
 class Files;
+class LightHandles;
 class Loupe;
 class MapPanel;
 class MessageLine;
 class Page;
 class ParameterPanel;
+class Turning;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -40,6 +42,8 @@ public:
     CompareBar& comparing() { return *m_compare; }
     Loupe& loupe() { return *m_loupe; }
     Docks& docks() { return *m_docks; }
+    LightHandles& lights() { return *m_lights; }
+    Turning& turning() { return *m_turning; }
     QAction* action(std::string_view key) const { return m_top->action(findAction(key)->action); } // of kActions
 
     void setTechnique(std::string_view key); // of the active pane
@@ -69,6 +73,8 @@ private:
     std::unique_ptr<Docks> m_docks; // what they show is the page's
     MapPanel* m_maps;
     ParameterPanel* m_parameters;
+    LightHandles* m_lights;
+    Turning* m_turning;
     MessageLine* m_line;
     TopBar* m_top;
     Page* m_page;

@@ -125,6 +125,7 @@ void showShortcuts(QWidget* parent)
     add(0, QObject::tr("In the picture"), {}, true);
     for (const GestureRow& row : kGestures)
         add(0, qt(row.text), qt(row.does));
+    add(0, QObject::tr("Shift or L, drag a handle"), QObject::tr("move that light"));
     add(0, QObject::tr("Wheel"), QObject::tr("move closer or away"));
     for (const CameraKeyRow& row : kCameraKeys)
         add(0, QKeySequence(row.key).toString(QKeySequence::NativeText), qt(row.does));

@@ -11,6 +11,7 @@
 #include "app/window/docks.h"
 #include "app/window/document/files.h"
 #include "app/window/inspector/ray_inspector.h"
+#include "app/window/lights/turning.h"
 #include "app/window/main_window.h"
 #include "app/window/palette/command_palette.h"
 #include "app/window/viewport/viewport.h"
@@ -140,6 +141,10 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::Frame:
     case Action::ResetCamera:
         return moveCamera(window, framed(action == Action::Frame ? cameraOf(document.state(), activePane(window)) : Camera{}));
+    case Action::TurnLights:
+        return window.turning().turnLights(on);
+    case Action::Turntable:
+        return window.turning().turnCamera(on);
     case Action::Smoother:
         return window.viewport().wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
     case Action::LightTheme:

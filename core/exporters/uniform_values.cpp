@@ -6,8 +6,9 @@
 
 namespace relievo {
 
-WebJson uniformValues(const Parameters& parameters, const TechniqueRow& technique, const ExportJob& job)
+WebJson uniformValues(const Parameters& ofPane, const TechniqueRow& technique, const ExportJob& job)
 {
+    const Parameters parameters = withOneDirectional(ofPane); // as exportedFeatures
     WebJson uniforms;
     for (const ParameterRow& row : kParameters)
         uniforms[std::string(row.key)] = std::visit([](auto value) { return jsonOf(value); }, get(parameters, row));
@@ -15,7 +16,12 @@ WebJson uniformValues(const Parameters& parameters, const TechniqueRow& techniqu
     SceneUniforms scene = sceneUniforms(parameters, cameraOnto(mesh, cameraOf(job.state, 0), 1.f), mesh.metresPerUV);
     scene.pushOut = technique.displaces ? (1.f - parameters.midlevel) * scene.reliefDepth : 0.f;
     for (const SceneUniformRow& row : kSceneUniforms)
-        uniforms[std::string(row.name)] = std::visit([&](auto member) { return jsonOf(scene.*member); }, row.member);
+        std::visit(
+            [&](auto member) {
+                if constexpr (!std::is_same_v<decltype(member), decltype(&SceneUniforms::lights)>) // no exported program has several
+                    uniforms[std::string(row.name)] = jsonOf(scene.*member);
+            },
+            row.member);
     return uniforms;
 }
 

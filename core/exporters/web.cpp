@@ -134,6 +134,8 @@ void tellLeftOut(const std::vector<Side>& sides, const Mesh& mesh, Warnings& war
         warnings.push_back({"web-object-shadows", "The page draws self-shadows of the relief, none between objects."});
     if (any([](const Parameters& p) { return p.vignette > 0.f || p.fStop > 0.f || p.autoExposure; }))
         warnings.push_back({"web-camera", "The page has no vignette, depth of field or automatic exposure."});
+    if (any([](const Parameters& p) { return !isOneDirectional(p); }))
+        warnings.push_back({"web-lights", std::string(kLightsLeftOut)});
     if (const std::size_t triangles = mesh.indices.size() / 3; triangles > kManyTriangles)
         warnings.push_back({"web-mesh",
             "The mesh has " + std::to_string(triangles) + " triangles: a page is better served by at most " + std::to_string(kManyTriangles)
@@ -168,7 +170,7 @@ Expected<WebJson> dataOf(const ExportJob& job, Warnings& warnings)
             return *part;
     const Mesh mesh = posed(*job.resources.mesh, poseOf(*job.resources.mesh, parameters));
     WebJson data = {{"name", job.state.name}, {"camera", cameraJson(job)},
-        {"light", {{"yaw", shortest(parameters.lightYaw)}, {"pitch", shortest(parameters.lightPitch)}}},
+        {"light", {{"yaw", shortest(turnedYaw(parameters, kLights.front()))}, {"pitch", shortest(parameters.lightPitch)}}},
         {"repeat", parameters.wrap == Wrap::Repeat}, {"background", std::move(*background)}, {"sides", std::move(programs)},
         {"plain", std::move(*plain)}, {"maps", std::move(*maps)}, {"environment", webEnvironment(*job.resources.environment)},
         {"mesh", webMesh(mesh, plainParts(mesh, job.state.part))}};

@@ -21,7 +21,7 @@ constexpr std::string_view typeName(const Member& member)
 }
 constexpr std::string_view typeName(const SceneMember& member)
 {
-    constexpr std::array<std::string_view, 5> names = {"float", "vec2", "vec3", "mat2", "mat4"};
+    constexpr std::array<std::string_view, 6> names = {"float", "vec2", "vec3", "mat2", "mat4", "mat4"};
     return names[member.index()];
 }
 } // namespace
@@ -47,7 +47,10 @@ std::string uniformDeclarations(const std::string& text)
     for (const ParameterRow& row : kParameters)
         declare(typeName(row.member), row.key);
     for (const SceneUniformRow& row : kSceneUniforms)
-        declare(typeName(row.member), row.name);
+        if (!std::holds_alternative<std::array<glm::mat4, kMostLights> SceneUniforms::*>(row.member))
+            declare(typeName(row.member), row.name);
+        else if (mentionsIdentifier(text, row.name))
+            declarations += "uniform mat4 " + std::string(row.name) + '[' + std::to_string(kMostLights) + "];\n";
     for (const MapKindRow& row : kMapKinds) {
         declare("sampler2D", std::string(row.key) + "Map");
         declare("float", std::string(row.key) + "MapLevels"); // log2 of the map's longest side

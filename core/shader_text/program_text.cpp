@@ -6,6 +6,7 @@
 #include "core/maps/maps.h"
 #include "core/shader_text/assembly.h"
 #include "core/shader_text/search_files.h"
+#include "core/state/lights.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include <cmath>
@@ -125,6 +126,26 @@ void viewRayFiles(Assembly& part, const ViewRow& view, const ProgramFeatures& fe
                               : "view_ray/holes_cut.glsl");
 }
 
+// What hides the light.
+void shadowFiles(Assembly& part, const TechniqueRow& technique, const ProgramFeatures& features)
+{
+    const bool several = features.severalLights, searches = technique.hasShadowsAndOutlines() && features.shadows;
+    if (several)
+        part.file("shading/light_table.glsl");
+    if (searches)
+        part.file(technique.isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
+            .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl");
+    if (!searches)
+        part.file(several ? "shadow/several_none.glsl" : "shadow/shadow_none.glsl");
+    else if (features.softShadows)
+        part.file(several ? "shadow/several_soft.glsl" : "shadow/shadow_soft.glsl");
+    else
+        part.file(several ? "shadow/several_hard.glsl" : "shadow/shadow_hard.glsl");
+    part.file(features.objectShadows ? "shadow/shadow_map.glsl" : "shadow/shadow_map_none.glsl");
+    if (several)
+        part.file("shadow/shadow_several.glsl");
+}
+
 Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderReader& read)
 {
     const TechniqueRow* technique = findTechnique(features.technique);
@@ -140,20 +161,15 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file("surface/normals_none.glsl");
         else
             part.file(normalsFile(features.maps));
-        if (technique->hasShadowsAndOutlines() && features.shadows)
-            part.file(technique->isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
-                .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl")
-                .file(features.softShadows ? "shadow/shadow_soft.glsl" : "shadow/shadow_hard.glsl");
-        else
-            part.file("shadow/shadow_none.glsl");
-        part.file(features.objectShadows ? "shadow/shadow_map.glsl" : "shadow/shadow_map_none.glsl");
+        shadowFiles(part, *technique, features);
         if (view->light == ViewLight::All) {
             part.file(features.exported && !features.panorama ? "shading/ambient.glsl" : "shading/environment.glsl");
             variantFiles(part, features, ShaderPlace::Light);
             layerFiles(part, features);
-            part.file("shading/lights_one.glsl").file("shading/shade.glsl");
+            part.file(features.severalLights ? "shading/lights_several.glsl" : "shading/lights_one.glsl").file("shading/shade.glsl");
         }
-        part.file(features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
+        const bool several = features.severalLights && !view->fileOfSeveral.empty();
+        part.file(several ? view->fileOfSeveral : features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
     };
     Assembly draft(read, features.dialect);
     draft.file("view_ray/holes_cut.glsl");
@@ -243,18 +259,23 @@ ProgramFeatures programFeatures(
     const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear)
 {
     const bool shadowed = view.light != ViewLight::None;
-    const bool searchedShadows = shadowed && parameters.shadows && technique.hasShadowsAndOutlines();
+    const auto anyLight
+        = [&](auto has) { return std::ranges::any_of(kLights, [&](auto& one) { return isLit(parameters, one) && has(one); }); };
+    const auto casts = [&](const LightMembers& light) { return parameters.*light.shadows; };
+    const auto isSoft = [&](const LightMembers& light) { return casts(light) && parameters.*light.size > 0.f; };
+    const bool searchedShadows = shadowed && technique.hasShadowsAndOutlines() && anyLight(casts);
     const bool curved = parameters.silhouettes != Silhouettes::Off && technique.hasShadowsAndOutlines();
     ProgramFeatures features{.technique = std::string(technique.key),
         .view = std::string(view.key),
         .maps = maps,
         .shadows = searchedShadows,
-        .softShadows = searchedShadows && parameters.lightSize > 0.f,
+        .softShadows = searchedShadows && anyLight(isSoft),
+        .severalLights = shadowed && !isOneDirectional(parameters),
         .linear = linear,
         .coarser = technique.isExact && parameters.heightMips,
         .curved = curved,
         .prisms = curved && parameters.silhouettes == Silhouettes::Prisms,
-        .objectShadows = parameters.objectShadows && shadowed,
+        .objectShadows = parameters.objectShadows && shadowed && parameters.lightKind == LightKind::Directional,
         .clamps = (technique.isExact || view.isAgainstExact) && parameters.wrap == Wrap::Clamp};
     for (const ParameterRow& row : kParameters)
         if (!row.shader.files.front().empty() && isChosen(row.shader.place, parameters, view, linear))
@@ -268,7 +289,7 @@ ProgramFeatures programFeatures(
 
 ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps, Dialect dialect)
 {
-    Parameters plain = parameters;
+    Parameters plain = withOneDirectional(parameters);
     plain.silhouettes = Silhouettes::Off;
     plain.objectShadows = false;
     plain.heightMips = false;

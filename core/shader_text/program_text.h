@@ -29,6 +29,7 @@ struct ProgramFeatures {
     EnumSet<MapKind> maps; // maps that the material has
     bool shadows = false; // self-shadows wanted (a technique that does not search has none)
     bool softShadows = false; // and by a light with a size
+    bool severalLights = false; // or one that is not directional, where light is computed
     bool linear = false; // Target::linear
     bool coarser = false; // an exact technique reads mip levels
     bool curved = false; // silhouettes
@@ -54,6 +55,9 @@ EnumSet<MapKind> presentMaps(const Material& material);
 // The features of a pane as drawn: only maps that the view reads stand in it through the text, not here.
 ProgramFeatures programFeatures(
     const Parameters& parameters, const TechniqueRow& technique, const ViewRow& view, EnumSet<MapKind> maps, bool linear);
+
+inline constexpr std::string_view kLightsLeftOut
+    = "What is written is lit by the first light, as a directional one: the other lights, and places of lights, are left out.";
 
 // The same for a shader that others run: with a frame that needs no vertex attributes but position, normal and uv, light from the
 // surroundings by formula, no mip levels of the heights, and nothing that only this renderer can provide (bent rays, shadows between

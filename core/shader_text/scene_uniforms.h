@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/state/camera_view.h"
+#include "core/state/lights.h"
 #include <array>
 #include <glm/mat2x2.hpp>
 #include <glm/mat4x4.hpp>
@@ -27,11 +28,14 @@ struct SceneUniforms {
     float heatScale = 1.f; // of the view's value to [0, 1]
     glm::mat4 shadowFromWorld{1.f}; // clip space of the light's map
     float shadowTexel = 0.f; // its texel's size, m
+    float lightCount = 0.f; // of several lights (setLights); one directional light is lightDirection
+    std::array<glm::mat4, kMostLights> lights{}; // what each is, column by column: where or whither, w: near; radiance, size; axis, cone's
+                                                 // edge; cone's slope, least distance, casts, passes (shaders/shading/light_table.glsl)
     float sampleTurn = 0.f; // of noise from sample to sample, share of a whole turn; 0 in a picture of one sample
 };
 
 using SceneMember = std::variant<float SceneUniforms::*, glm::vec2 SceneUniforms::*, glm::vec3 SceneUniforms::*, glm::mat2 SceneUniforms::*,
-    glm::mat4 SceneUniforms::*>;
+    glm::mat4 SceneUniforms::*, std::array<glm::mat4, kMostLights> SceneUniforms::*>;
 struct SceneUniformRow {
     SceneMember member;
     std::string_view name;
@@ -52,6 +56,8 @@ inline constexpr auto kSceneUniforms = std::to_array<SceneUniformRow>({
     {&SceneUniforms::heatScale, "heatScale"},
     {&SceneUniforms::shadowFromWorld, "shadowFromWorld"},
     {&SceneUniforms::shadowTexel, "shadowTexel"},
+    {&SceneUniforms::lightCount, "lightCount"},
+    {&SceneUniforms::lights, "lights"},
     {&SceneUniforms::sampleTurn, "sampleTurn"},
 });
 
@@ -61,5 +67,8 @@ glm::vec3 whiteGain(float kelvin);
 
 // All of them for a view of the mesh; metresOfMesh is Mesh::metresPerUV.
 SceneUniforms sceneUniforms(const Parameters& parameters, const CameraView& camera, float metresOfMesh);
+
+// The lights that are on, around a mesh.
+void setLights(SceneUniforms& uniforms, const Parameters& parameters, const Around& mesh);
 
 } // namespace relievo

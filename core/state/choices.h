@@ -81,6 +81,23 @@ constexpr std::string_view wordOf(NormalFiltering filtering)
     return {};
 }
 
+// What a light is: far away, or at a place and shining all around, or from there in a cone.
+enum class LightKind { Off, Directional, Point, Spot };
+constexpr std::string_view wordOf(LightKind kind)
+{
+    switch (kind) {
+    case LightKind::Off:
+        return "off";
+    case LightKind::Directional:
+        return "directional";
+    case LightKind::Point:
+        return "point";
+    case LightKind::Spot:
+        return "spot";
+    }
+    return {};
+}
+
 // What is drawn behind the mesh.
 enum class Backdrop { Plain, Environment, Transparent, Gradient };
 constexpr std::string_view wordOf(Backdrop background)

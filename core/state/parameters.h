@@ -75,12 +75,51 @@ struct Parameters { // the initialisers ARE the defaults
     float sheenRoughness = 0.4f;
     float transmission = 0.f;
     // Light
+    LightKind lightKind = LightKind::Directional;
     float lightYaw = -50.f;
     float lightPitch = 40.f;
+    float lightDistance = 2.5f;
     float lightIntensity = 1.4f;
     glm::vec3 lightColor{1.f, 0.96f, 0.9f};
+    float lightCone = 40.f;
+    float lightSoftness = 0.3f;
+    float turnSeconds = 10.f;
+    float lightTurn = 0.f;
     float environmentIntensity = 0.45f;
     float environmentYaw = 0.f;
+    // Light 2
+    LightKind light2Kind = LightKind::Off;
+    float light2Yaw = 50.f;
+    float light2Pitch = 25.f;
+    float light2Distance = 2.5f;
+    float light2Intensity = 1.f;
+    glm::vec3 light2Color{0.55f, 0.75f, 1.f};
+    float light2Cone = 40.f;
+    float light2Softness = 0.3f;
+    float light2Size = 0.f;
+    bool light2Shadows = true;
+    // Light 3
+    LightKind light3Kind = LightKind::Off;
+    float light3Yaw = 165.f;
+    float light3Pitch = 20.f;
+    float light3Distance = 2.5f;
+    float light3Intensity = 1.f;
+    glm::vec3 light3Color{1.f, 0.6f, 0.35f};
+    float light3Cone = 40.f;
+    float light3Softness = 0.3f;
+    float light3Size = 0.f;
+    bool light3Shadows = true;
+    // Light 4
+    LightKind light4Kind = LightKind::Off;
+    float light4Yaw = 0.f;
+    float light4Pitch = 75.f;
+    float light4Distance = 2.5f;
+    float light4Intensity = 1.f;
+    glm::vec3 light4Color{1.f, 1.f, 1.f};
+    float light4Cone = 40.f;
+    float light4Softness = 0.3f;
+    float light4Size = 0.f;
+    bool light4Shadows = true;
     // Camera
     float exposure = 0.f;
     bool autoExposure = false;
@@ -101,7 +140,7 @@ struct Parameters { // the initialisers ARE the defaults
 // The kinds of parameter. A vec3 is a linear colour.
 using Member = std::variant<float Parameters::*, int Parameters::*, bool Parameters::*, glm::vec3 Parameters::*, Wrap Parameters::*,
     Frames Parameters::*, Silhouettes Parameters::*, Shading Parameters::*, Backdrop Parameters::*, ToneCurve Parameters::*,
-    NormalFiltering Parameters::*>;
+    NormalFiltering Parameters::*, LightKind Parameters::*>;
 
 template <class M> struct MemberTypeOf;
 template <class T> struct MemberTypeOf<T Parameters::*> {
@@ -109,7 +148,7 @@ template <class T> struct MemberTypeOf<T Parameters::*> {
 };
 template <class M> using MemberType = typename MemberTypeOf<M>::Type;
 
-enum class Group { Shape, Search, Mesh, Shadows, Filtering, Shading, Layers, Light, Camera, View };
+enum class Group { Shape, Search, Mesh, Shadows, Filtering, Shading, Layers, Light, Light2, Light3, Light4, Camera, View };
 constexpr std::string_view wordOf(Group group)
 {
     switch (group) {
@@ -129,6 +168,12 @@ constexpr std::string_view wordOf(Group group)
         return "Layers";
     case Group::Light:
         return "Light";
+    case Group::Light2:
+        return "Light 2";
+    case Group::Light3:
+        return "Light 3";
+    case Group::Light4:
+        return "Light 4";
     case Group::Camera:
         return "Camera";
     case Group::View:
@@ -156,11 +201,16 @@ struct ShaderChoice {
     std::array<std::string_view, 5> files = {}; // under shaders/
 };
 
-// Another parameter's value: a switch, or one of a choice's.
+// Another parameter's value: a switch, or one of several of a choice's.
 struct Condition {
     Member member;
-    int value;
-    template <class T> constexpr Condition(T Parameters::*of, T wanted) : member(of), value(int(wanted)) { }
+    unsigned values; // a bit for each that is wanted, by its number
+    template <class T, class... More> constexpr Condition(T Parameters::*of, T wanted, More... orElse) : member(of), values(0)
+    {
+        for (const int value : {int(wanted), int(orElse)...})
+            values |= 1u << value;
+    }
+    constexpr bool holdsFor(int value) const { return value >= 0 && (values >> value & 1u) != 0; }
 };
 // When a row has a line in the panel; it must all hold.
 struct ShownWhen {
@@ -182,6 +232,132 @@ struct ParameterRow {
     bool sharedByPanes = false; // the panel sets it for all panes, so that pictures side by side can be compared
     std::string_view help;
 };
+
+// The rows that each light has, by its members and their keys.
+namespace detail {
+using LightKindMember = LightKind Parameters::*;
+constexpr Condition isLit(LightKindMember kind)
+{
+    return {kind, LightKind::Directional, LightKind::Point, LightKind::Spot};
+}
+constexpr ParameterRow lightKindRow(LightKindMember member, std::string_view key, Group group)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Kind",
+        .group = group,
+        .max = kLast<LightKind>,
+        .affects = {Affects::ProgramText},
+        .help = "Directional as the sun; a point that shines all around, or a spot that shines in a cone, from a place near the mesh."};
+}
+constexpr ParameterRow lightYawRow(float Parameters::*member, std::string_view key, Group group, LightKindMember kind, bool castsOnObjects)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Direction",
+        .group = group,
+        .min = -180.f,
+        .max = 180.f,
+        .unit = "deg",
+        .affects = castsOnObjects ? EnumSet<Affects>{Affects::ShadowMap} : EnumSet<Affects>{},
+        .shown = {.when = isLit(kind)},
+        .help = "Where the light comes from, about the vertical axis; 0 is +z."};
+}
+constexpr ParameterRow lightPitchRow(
+    float Parameters::*member, std::string_view key, Group group, LightKindMember kind, bool castsOnObjects)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Height",
+        .group = group,
+        .min = -90.f,
+        .max = 90.f,
+        .unit = "deg",
+        .affects = castsOnObjects ? EnumSet<Affects>{Affects::ShadowMap} : EnumSet<Affects>{},
+        .shown = {.when = isLit(kind)},
+        .help = "Angle of the light above the horizon."};
+}
+constexpr ParameterRow lightDistanceRow(float Parameters::*member, std::string_view key, Group group, LightKindMember kind)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Distance",
+        .group = group,
+        .min = 0.01f,
+        .max = 20.f,
+        .unit = "radii",
+        .shown = {.when = Condition(kind, LightKind::Point, LightKind::Spot)},
+        .help = "From the mesh's middle to the light, in radii of the sphere around the mesh: from 1 on it is outside."};
+}
+constexpr ParameterRow lightIntensityRow(float Parameters::*member, std::string_view key, Group group, LightKindMember kind)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Intensity",
+        .group = group,
+        .max = 20.f,
+        .unit = "\u03c0 W/m\u00b2",
+        .shown = {.when = isLit(kind)},
+        .help
+        = "Irradiance of the light over pi; of a point or a spot, where the mesh's middle is: it falls off by the square of the distance."};
+}
+constexpr ParameterRow lightColorRow(glm::vec3 Parameters::*member, std::string_view key, Group group, LightKindMember kind)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Color",
+        .group = group,
+        .unit = "linear",
+        .shown = {.when = isLit(kind)},
+        .help = "Color of the light."};
+}
+constexpr ParameterRow lightConeRow(float Parameters::*member, std::string_view key, Group group, LightKindMember kind)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Cone",
+        .group = group,
+        .min = 1.f,
+        .max = 170.f,
+        .unit = "deg",
+        .shown = {.when = Condition(kind, LightKind::Spot)},
+        .help = "Whole angle of the spot's cone, which is turned to the mesh's middle."};
+}
+constexpr ParameterRow lightSoftnessRow(float Parameters::*member, std::string_view key, Group group, LightKindMember kind)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Soft edge",
+        .group = group,
+        .unit = "cone",
+        .shown = {.when = Condition(kind, LightKind::Spot)},
+        .help = "Share of the cone over which it fades towards its edge."};
+}
+constexpr ParameterRow lightSizeRow(float Parameters::*member, std::string_view key, Group group, bool Parameters::*shadows)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Light size",
+        .group = group,
+        .max = 20.f,
+        .unit = "deg",
+        .affects = {Affects::ProgramText},
+        .shown = {.when = Condition(shadows, true)},
+        .help = "Angle that the light's disc fills: 0 casts hard shadows, more casts penumbras (and costs 8 searches instead of one)."};
+}
+constexpr ParameterRow lightShadowsRow(bool Parameters::*member, std::string_view key, Group group, LightKindMember kind)
+{
+    return {.member = member,
+        .key = key,
+        .label = "Self-shadows",
+        .group = group,
+        .affects = {Affects::ProgramText},
+        .shown = {.when = isLit(kind)},
+        .help
+        = "Relief casts shadows on itself in this light too, where its technique can: one more search. A light within the relief is taken "
+          "for one above it."};
+}
+} // namespace detail
 
 inline constexpr auto kParameters = std::to_array<ParameterRow>({
     {.member = &Parameters::depth,
@@ -413,21 +589,13 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .shown = {.byTechnique = true, .when = Condition(&Parameters::shadows, true)},
         .help
         = "How much higher than the point an occluder must lie, as a share of the depth; hides shadow acne. Exact techniques need none."},
-    {.member = &Parameters::lightSize,
-        .key = "lightSize",
-        .label = "Light size",
-        .group = Group::Shadows,
-        .max = 20.f,
-        .unit = "deg",
-        .affects = {Affects::ProgramText},
-        .shown = {.when = Condition(&Parameters::shadows, true)},
-        .help = "Angle that the light's disc fills: 0 casts hard shadows, more casts penumbras (and costs 8 searches instead of one)."},
+    detail::lightSizeRow(&Parameters::lightSize, "lightSize", Group::Shadows, &Parameters::shadows),
     {.member = &Parameters::objectShadows,
         .key = "objectShadows",
         .label = "Between objects",
         .group = Group::Shadows,
         .affects = {Affects::ProgramText},
-        .help = "Objects cast shadows on each other, with their relief: a map of what the light sees."},
+        .help = "Objects cast shadows on each other, with their relief: a map of what the first light sees, where that is directional."},
     {.member = &Parameters::shadowMapSize,
         .key = "shadowMapSize",
         .label = "Shadow map",
@@ -592,36 +760,31 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
                 "relief depth "
                 "colors it as the base color."},
 
-    {.member = &Parameters::lightYaw,
-        .key = "lightYaw",
-        .label = "Direction",
+    detail::lightKindRow(&Parameters::lightKind, "lightKind", Group::Light),
+    detail::lightYawRow(&Parameters::lightYaw, "lightYaw", Group::Light, &Parameters::lightKind, true),
+    detail::lightPitchRow(&Parameters::lightPitch, "lightPitch", Group::Light, &Parameters::lightKind, true),
+    detail::lightDistanceRow(&Parameters::lightDistance, "lightDistance", Group::Light, &Parameters::lightKind),
+    detail::lightIntensityRow(&Parameters::lightIntensity, "lightIntensity", Group::Light, &Parameters::lightKind),
+    detail::lightColorRow(&Parameters::lightColor, "lightColor", Group::Light, &Parameters::lightKind),
+    detail::lightConeRow(&Parameters::lightCone, "lightCone", Group::Light, &Parameters::lightKind),
+    detail::lightSoftnessRow(&Parameters::lightSoftness, "lightSoftness", Group::Light, &Parameters::lightKind),
+    {.member = &Parameters::turnSeconds,
+        .key = "turnSeconds",
+        .label = "A turn takes",
         .group = Group::Light,
-        .min = -180.f,
-        .max = 180.f,
+        .min = 1.f,
+        .max = 120.f,
+        .unit = "s",
+        .help = "How long the lights (Ctrl + L) or the camera (Ctrl + T) take once around."},
+    {.member = &Parameters::lightTurn,
+        .key = "lightTurn",
+        .label = "Turn lights",
+        .group = Group::Light,
+        .max = 360.f,
         .unit = "deg",
         .affects = {Affects::ShadowMap},
-        .help = "Where the light comes from, about the vertical axis; 0 is +z."},
-    {.member = &Parameters::lightPitch,
-        .key = "lightPitch",
-        .label = "Height",
-        .group = Group::Light,
-        .min = -90.f,
-        .max = 90.f,
-        .unit = "deg",
-        .affects = {Affects::ShadowMap},
-        .help = "Angle of the light above the horizon."},
-    {.member = &Parameters::lightIntensity,
-        .key = "lightIntensity",
-        .label = "Intensity",
-        .group = Group::Light,
-        .max = 20.f,
-        .help = "Irradiance of the light over pi."},
-    {.member = &Parameters::lightColor,
-        .key = "lightColor",
-        .label = "Color",
-        .group = Group::Light,
-        .unit = "linear",
-        .help = "Color of the light."},
+        .shown = {.inAnimationBar = true},
+        .help = "How far all lights have turned about the vertical axis, as Ctrl + L turns them."},
     {.member = &Parameters::environmentIntensity,
         .key = "environmentIntensity",
         .label = "Environment",
@@ -637,6 +800,39 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .max = 180.f,
         .unit = "deg",
         .help = "Turns the surroundings about the vertical axis."},
+    detail::lightKindRow(&Parameters::light2Kind, "light2Kind", Group::Light2),
+    detail::lightYawRow(&Parameters::light2Yaw, "light2Yaw", Group::Light2, &Parameters::light2Kind, false),
+    detail::lightPitchRow(&Parameters::light2Pitch, "light2Pitch", Group::Light2, &Parameters::light2Kind, false),
+    detail::lightDistanceRow(&Parameters::light2Distance, "light2Distance", Group::Light2, &Parameters::light2Kind),
+    detail::lightIntensityRow(&Parameters::light2Intensity, "light2Intensity", Group::Light2, &Parameters::light2Kind),
+    detail::lightColorRow(&Parameters::light2Color, "light2Color", Group::Light2, &Parameters::light2Kind),
+    detail::lightConeRow(&Parameters::light2Cone, "light2Cone", Group::Light2, &Parameters::light2Kind),
+    detail::lightSoftnessRow(&Parameters::light2Softness, "light2Softness", Group::Light2, &Parameters::light2Kind),
+    detail::lightShadowsRow(&Parameters::light2Shadows, "light2Shadows", Group::Light2, &Parameters::light2Kind),
+    detail::lightSizeRow(&Parameters::light2Size, "light2Size", Group::Light2, &Parameters::light2Shadows),
+
+    detail::lightKindRow(&Parameters::light3Kind, "light3Kind", Group::Light3),
+    detail::lightYawRow(&Parameters::light3Yaw, "light3Yaw", Group::Light3, &Parameters::light3Kind, false),
+    detail::lightPitchRow(&Parameters::light3Pitch, "light3Pitch", Group::Light3, &Parameters::light3Kind, false),
+    detail::lightDistanceRow(&Parameters::light3Distance, "light3Distance", Group::Light3, &Parameters::light3Kind),
+    detail::lightIntensityRow(&Parameters::light3Intensity, "light3Intensity", Group::Light3, &Parameters::light3Kind),
+    detail::lightColorRow(&Parameters::light3Color, "light3Color", Group::Light3, &Parameters::light3Kind),
+    detail::lightConeRow(&Parameters::light3Cone, "light3Cone", Group::Light3, &Parameters::light3Kind),
+    detail::lightSoftnessRow(&Parameters::light3Softness, "light3Softness", Group::Light3, &Parameters::light3Kind),
+    detail::lightShadowsRow(&Parameters::light3Shadows, "light3Shadows", Group::Light3, &Parameters::light3Kind),
+    detail::lightSizeRow(&Parameters::light3Size, "light3Size", Group::Light3, &Parameters::light3Shadows),
+
+    detail::lightKindRow(&Parameters::light4Kind, "light4Kind", Group::Light4),
+    detail::lightYawRow(&Parameters::light4Yaw, "light4Yaw", Group::Light4, &Parameters::light4Kind, false),
+    detail::lightPitchRow(&Parameters::light4Pitch, "light4Pitch", Group::Light4, &Parameters::light4Kind, false),
+    detail::lightDistanceRow(&Parameters::light4Distance, "light4Distance", Group::Light4, &Parameters::light4Kind),
+    detail::lightIntensityRow(&Parameters::light4Intensity, "light4Intensity", Group::Light4, &Parameters::light4Kind),
+    detail::lightColorRow(&Parameters::light4Color, "light4Color", Group::Light4, &Parameters::light4Kind),
+    detail::lightConeRow(&Parameters::light4Cone, "light4Cone", Group::Light4, &Parameters::light4Kind),
+    detail::lightSoftnessRow(&Parameters::light4Softness, "light4Softness", Group::Light4, &Parameters::light4Kind),
+    detail::lightShadowsRow(&Parameters::light4Shadows, "light4Shadows", Group::Light4, &Parameters::light4Kind),
+    detail::lightSizeRow(&Parameters::light4Size, "light4Size", Group::Light4, &Parameters::light4Shadows),
+
     {.member = &Parameters::exposure,
         .key = "exposure",
         .label = "Exposure",

@@ -17,6 +17,7 @@ struct ViewRow {
     std::string_view label;
     std::string_view file; // under shaders/
     std::string_view fileOnMesh = {}; // instead of it, where the exact answer of the displaced mesh is given; "" for the same
+    std::string_view fileOfSeveral = {}; // instead of it, where there are several lights; "" for the same
     std::string_view unit = {}; // of the numbers of a heat map's legend; "" for pictures
     bool isHeat = false; // drawn with the colour-blind-safe heat map and a legend
     bool isColor = false; // encoded as sRGB, light after exposure and tone curve; else values are shown as they are
@@ -57,8 +58,9 @@ inline constexpr auto kViews = std::to_array<ViewRow>({
     {.key = "shadow",
         .label = "Shadow",
         .file = "views/shadow.glsl",
+        .fileOfSeveral = "views/shadow_several.glsl",
         .light = ViewLight::Shadows,
-        .help = "Shadow alone: white lit, black shadowed."},
+        .help = "Shadow alone: white lit, black shadowed; of several lights the share that arrives."},
     {.key = "position",
         .label = "Position",
         .file = "views/position.glsl",

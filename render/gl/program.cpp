@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/gl/program.h"
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace relievo {
@@ -44,6 +45,10 @@ struct SetUniform {
     void operator()(const glm::vec3& v) const { glUniform3f(at, v.x, v.y, v.z); }
     void operator()(const glm::mat2& v) const { glUniformMatrix2fv(at, 1, GL_FALSE, &v[0][0]); }
     void operator()(const glm::mat4& v) const { glUniformMatrix4fv(at, 1, GL_FALSE, &v[0][0]); }
+    template <std::size_t n> void operator()(const std::array<glm::mat4, n>& v) const
+    {
+        glUniformMatrix4fv(at, GLsizei(n), GL_FALSE, &v.front()[0][0]);
+    }
 };
 
 } // namespace

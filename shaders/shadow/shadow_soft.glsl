@@ -1,22 +1,9 @@
-// Soft self-shadow: eight rays over the light's disc, turned from pixel to pixel so that no steps show, and from sample to sample so that
-// the average of several is smooth.
+// Soft self-shadow, of a light with a size.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
+#include "shadow/shadow_disc.glsl"
+
 float lightReaching(Surface surface)
 {
-    vec3 across = normalize(cross(lightDirection, abs(lightDirection.y) < 0.9f ? vec3(0.0f, 1.0f, 0.0f) : vec3(1.0f, 0.0f, 0.0f)));
-    vec3 up = cross(across, lightDirection);
-    // Interleaved gradient noise (Jimenez 2014, Next Generation Post Processing in Call of Duty: Advanced Warfare).
-    // sampleTurn: share of a whole turn, 0 in a picture of one sample.
-    float turn = sampleTurn + fract(52.9829189f * fract(0.06711056f * gl_FragCoord.x + 0.00583715f * gl_FragCoord.y));
-    float radius = tan(0.5f * radians(lightSize));
-    float lit = 0.0f;
-    for (int i = 0; i < 8; ++i) {
-        // Evenly over the disc: a spiral by the golden angle (Vogel 1979).
-        float angle = 2.3999632f * float(i) + 6.2831853f * turn;
-        float r = radius * sqrt((float(i) + 0.5f) / 8.0f);
-        vec3 toLight = normalize(lightDirection + (across * cos(angle) + up * sin(angle)) * r);
-        lit += !lightIsHidden(surface, toLight) ? 0.125f : 0.0f;
-    }
-    return 1.0f - shadowStrength * (1.0f - lit);
+    return 1.0f - shadowStrength * (1.0f - shareReaching(surface, lightDirection, tan(0.5f * radians(lightSize))));
 }

@@ -34,8 +34,7 @@ State turned(const State& state, Turn turn, float share)
         camera.yaw = wrapped(camera.yaw + 360.f * share);
         setCameraOf(one, 0, camera);
     } else {
-        const float yaw = wrapped(effectiveParameters(state, 0).lightYaw + 360.f * share);
-        one.panes.front().overrides["lightYaw"] = yaw;
+        one.panes.front().overrides["lightTurn"] = std::fmod(effectiveParameters(state, 0).lightTurn + 360.f * share, 360.f);
     }
     return one;
 }

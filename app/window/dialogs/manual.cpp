@@ -22,6 +22,7 @@ struct PageRow {
     std::string_view file, title;
 };
 constexpr auto kPages = std::to_array<PageRow>({
+    {"lights.md", "Lights"},
     {"comparing.md", "Comparing techniques"},
     {"deciding.md", "Deciding on a technique"},
     {"camera.md", "Camera and picture"},

@@ -16,9 +16,9 @@ Changes differences(const State& a, const State& b)
     Changes what;
     what.setFlag(Change::Name, a.name != b.name);
     Parameters sameMoment = a.parameters;
-    sameMoment.time = b.parameters.time;
+    sameMoment.time = b.parameters.time, sameMoment.lightTurn = b.parameters.lightTurn;
     what.setFlag(Change::Parameters, sameMoment != b.parameters);
-    what.setFlag(Change::Moment, a.parameters.time != b.parameters.time);
+    what.setFlag(Change::Moment, a.parameters.time != b.parameters.time || a.parameters.lightTurn != b.parameters.lightTurn);
     what.setFlag(Change::Maps, a.slots != b.slots);
     what.setFlag(Change::Mesh, a.mesh != b.mesh || a.part != b.part);
     what.setFlag(Change::Environment, a.environment != b.environment);
@@ -45,7 +45,7 @@ namespace {
 void keepCameraAndMoment(State& state, const State& from)
 {
     state.camera = from.camera;
-    state.parameters.time = from.parameters.time;
+    state.parameters.time = from.parameters.time, state.parameters.lightTurn = from.parameters.lightTurn;
     for (std::size_t pane = 0; pane < std::min(state.panes.size(), from.panes.size()); ++pane)
         if (state.panes[pane].camera && from.panes[pane].camera)
             state.panes[pane].camera = from.panes[pane].camera;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/editing.h"
+#include "core/state/lights.h"
 #include "core/state/techniques.h"
 #include <algorithm>
 
@@ -22,7 +23,7 @@ bool holds(const State& state, std::size_t index, const Condition& condition)
         return false;
     const Value value = get(effectiveParameters(state, index), other);
     const bool* on = std::get_if<bool>(&value);
-    return on ? *on == (condition.value != 0) : std::get<int>(value) == condition.value;
+    return condition.holdsFor(on ? int(*on) : std::get<int>(value));
 }
 
 // Whether the row is shown for pane `index`.
@@ -87,7 +88,30 @@ namespace {
 // What is compared most, in that order.
 constexpr std::string_view kCompared[] = {"parallax", "relief", "cell-cone", "pom", "bump", "steep"};
 
-constexpr std::string_view kLightKeys[] = {"lightYaw", "lightPitch"};
+// Where lights are, which goes with a camera.
+bool placesLight(const ParameterRow& row)
+{
+    return std::ranges::any_of(kLights, [&](const LightMembers& light) {
+        return row.member == Member(light.yaw) || row.member == Member(light.pitch) || row.member == Member(light.distance);
+    });
+}
+
+const ParameterRow& rowOf(const Member& member)
+{
+    return kParameters[indexOf(member)];
+}
+
+void keepLights(Pane& pane, const Parameters& lit)
+{
+    const auto keep
+        = [&](const Member& member) { pane.overrides.insert_or_assign(std::string(rowOf(member).key), get(lit, rowOf(member))); };
+    for (const LightMembers& light : kLights) {
+        if (isLit(lit, light))
+            keep(light.yaw), keep(light.pitch);
+        if (isNear(lit, light))
+            keep(light.distance);
+    }
+}
 
 bool isShownBy(const State& state, std::string_view technique)
 {
@@ -130,18 +154,18 @@ void setLinked(State& state, std::size_t pane, bool linked)
     Pane& own = state.panes[pane];
     const Parameters lit = effectiveParameters(state, pane);
     own.camera = linked ? std::nullopt : std::optional(state.camera);
-    for (const std::string_view key : kLightKeys)
-        if (linked)
-            own.overrides.erase(std::string(key));
-        else
-            own.overrides.insert_or_assign(std::string(key), get(lit, *findParameter(key)));
+    if (!linked)
+        return keepLights(own, lit);
+    for (const ParameterRow& row : kParameters)
+        if (placesLight(row))
+            own.overrides.erase(std::string(row.key));
 }
 
 std::vector<const ParameterRow*> ownValues(const State& state, std::size_t pane)
 {
     std::vector<const ParameterRow*> rows;
     for (const ParameterRow& row : kParameters)
-        if (isOverridden(state, row, pane) && (isLinked(state, pane) || std::ranges::find(kLightKeys, row.key) == std::end(kLightKeys)))
+        if (isOverridden(state, row, pane) && (isLinked(state, pane) || !placesLight(row)))
             rows.push_back(&row);
     return rows;
 }

@@ -119,7 +119,7 @@ Expected<Loaded> loadFor(const OpenState& job, const Turn& turn)
 
 bool isLightOrCamera(const ParameterRow& row)
 {
-    return row.group == Group::Light || row.group == Group::Camera || row.key == "lightSize";
+    return (row.group >= Group::Light && row.group <= Group::Camera) || row.key == "lightSize";
 }
 
 // What the SOURCE is read on.

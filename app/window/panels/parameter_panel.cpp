@@ -26,6 +26,12 @@ QVector<Segmented::Item> scopeItems(std::size_t panes)
         items.append({paneLetter(pane), QObject::tr("Changes reach picture %1 only").arg(paneLetter(pane)), {}});
     return items;
 }
+
+// Their sections are closed at first: most pictures have one light.
+bool isFurtherLight(Group group)
+{
+    return group == Group::Light2 || group == Group::Light3 || group == Group::Light4;
+}
 } // namespace
 
 ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
@@ -49,7 +55,8 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     for (std::size_t i = 0; i < kChoices<Group>; ++i) { // Tab goes in the order in which they are made
-        column->addWidget(m_sections[Group(i)] = new Section(qt(wordOf(Group(i)))));
+        column->addWidget(m_sections[Group(i)] = new Section(qt(wordOf(Group(i))), nullptr, !isFurtherLight(Group(i))));
+        connect(m_sections[Group(i)], &Section::opened, this, &ParameterPanel::sectionsChanged);
         for (const ParameterRow& row : kParameters)
             if (std::size_t(row.group) == i)
                 addEditor(row, *m_sections[Group(i)]);
@@ -88,6 +95,11 @@ void ParameterPanel::addEditor(const ParameterRow& row, Section& section)
     });
     connect(editor, &ParameterEditor::clearWanted, this,
         [this, &row] { m_document.edit(tr("Same %1").arg(qt(row.label)), [&](State& state) { clearOverride(state, row, m_scope); }); });
+}
+
+bool ParameterPanel::isOpen(Group group) const
+{
+    return m_sections[group]->isVisible() && m_sections[group]->isOpen();
 }
 
 void ParameterPanel::setScope(Scope scope)

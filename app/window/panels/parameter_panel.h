@@ -20,8 +20,10 @@ public:
     explicit ParameterPanel(Document& document, QWidget* parent = nullptr);
     Scope scope() const { return m_scope; }
     void setScope(Scope scope);
+    bool isOpen(Group group) const; // and to be seen
 
 Q_SIGNALS:
+    void sectionsChanged(); // one was opened or closed
     void scopeChanged(relievo::Scope scope);
 
 private:

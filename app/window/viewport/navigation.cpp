@@ -1,4 +1,4 @@
-// Camera and light moves.
+// Camera moves.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/navigation.h"
@@ -104,12 +104,6 @@ Camera framed(const Camera& camera)
     next.distance.reset();
     next.fill = kFramedFill;
     return next;
-}
-
-void turnLight(Parameters& parameters, double dx, double dy)
-{
-    parameters.lightYaw = std::clamp(wrapped(double(parameters.lightYaw) + dx * kDegreesPerPixel), -180.f, 180.f);
-    parameters.lightPitch = pitched(double(parameters.lightPitch) - dy * kDegreesPerPixel);
 }
 
 } // namespace relievo

@@ -62,6 +62,5 @@ Camera zoomed(const Camera& camera, const CameraView& view, double steps); // a 
 Camera lookedAround(const Camera& camera, const CameraView& view, double dx, double dy); // about the eye
 Camera flown(const Camera& camera, const CameraView& view, double right, double up, double forward); // m
 Camera framed(const Camera& camera); // from the same side, the whole mesh
-void turnLight(Parameters& parameters, double dx, double dy);
 
 } // namespace relievo

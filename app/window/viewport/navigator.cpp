@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/viewport/navigator.h"
 #include "app/window/document/editing.h"
+#include "app/window/lights/light_places.h"
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -33,7 +34,7 @@ bool Navigator::eventFilter(QObject*, QEvent* event)
 {
     switch (event->type()) {
     case QEvent::ShortcutOverride:
-        event->setAccepted(wantsKey(static_cast<QKeyEvent*>(event)->key()));
+        event->setAccepted(wantsKey(*static_cast<QKeyEvent*>(event)));
         return event->isAccepted();
     case QEvent::Enter:
         if (!qobject_cast<QLineEdit*>(QApplication::focusWidget()))
@@ -68,8 +69,9 @@ bool Navigator::eventFilter(QObject*, QEvent* event)
 }
 
 // Single letters belong to the picture, not to menus, while the hand flies or turns the light.
-bool Navigator::wantsKey(int key) const
+bool Navigator::wantsKey(const QKeyEvent& event) const
 {
+    const int key = event.modifiers() & Qt::ControlModifier ? 0 : event.key();
     return key == Qt::Key_L || (m_drag == Gesture::Fly && std::ranges::find(kFlyKeys, key) != std::end(kFlyKeys));
 }
 
@@ -121,7 +123,7 @@ void Navigator::turn(double dx, double dy)
 {
     m_document.edit(tr("Turn light"), [&](State& state) {
         Parameters lit = effectiveParameters(state, m_pane);
-        turnLight(lit, dx, dy);
+        turnLight(lit, kLights.front(), dx, dy);
         const bool own = m_pane < state.panes.size() && state.panes[m_pane].camera; // an unlinked pane's light is its own too
         for (const char* key : {"lightYaw", "lightPitch"})
             assign(state, *findParameter(key), get(lit, *findParameter(key)), own ? Scope(m_pane) : kAllPanes);

@@ -50,7 +50,7 @@ protected:
     bool eventFilter(QObject* widget, QEvent* event) override;
 
 private:
-    bool wantsKey(int key) const;
+    bool wantsKey(const QKeyEvent& event) const;
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
     void release(const QMouseEvent& event);

@@ -37,6 +37,8 @@ public:
     double shownScale() const { return m_shownScale; }
     const MeshReference& reference() const { return *m_reference; }
     PanePlaces& places() const { return *m_places; }
+    void say(const QString& text) { m_overlays.say(text); } // a hint; "" when there is none any more
+    void keepMoving() { refresh(true); } // more follows at once
     // Where the pane is most wrong against the exact search; nothing where it is not.
     std::optional<glm::vec2> worstPoint(std::size_t pane);
     // So many pixels of the pane's picture around one, as they are shown; see PanePictures::around.

@@ -39,7 +39,7 @@ protected:
 };
 } // namespace
 
-Section::Section(const QString& title, QWidget* parent)
+Section::Section(const QString& title, QWidget* parent, bool isOpenAtFirst)
     : QWidget(parent)
     , m_title(title)
     , m_header(new SectionHeader(title, this))
@@ -58,7 +58,7 @@ Section::Section(const QString& title, QWidget* parent)
         setOpen(open);
         QSettings().setValue("sections/" + m_title, open);
     });
-    setOpen(QSettings().value("sections/" + m_title, true).toBool());
+    setOpen(QSettings().value("sections/" + m_title, isOpenAtFirst).toBool());
 }
 
 QWidget* Section::header() const
@@ -72,6 +72,7 @@ void Section::setOpen(bool open)
     const QSignalBlocker quiet(m_header);
     m_header->setChecked(open);
     m_content->setVisible(open);
+    Q_EMIT opened(open);
 }
 
 } // namespace relievo

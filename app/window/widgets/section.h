@@ -13,11 +13,14 @@ namespace relievo {
 class Section : public QWidget {
     Q_OBJECT
 public:
-    explicit Section(const QString& title, QWidget* parent = nullptr);
+    explicit Section(const QString& title, QWidget* parent = nullptr, bool isOpenAtFirst = true);
     QVBoxLayout* body() const { return m_body; }
     QWidget* header() const;
     bool isOpen() const { return m_open; }
     void setOpen(bool open);
+
+Q_SIGNALS:
+    void opened(bool open);
 
 private:
     QString m_title;

@@ -10,6 +10,8 @@
 #include "core/exporters/written_pictures.h"
 #include "core/ground/file.h"
 #include "core/ground/hash.h"
+#include "core/shader_text/program_text.h"
+#include "core/state/lights.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -258,6 +260,8 @@ private:
         tellBits(told);
         if (const std::string left = techniqueLeftOut(m_target, m_job); !left.empty())
             told.push_back({"technique-left-out", left});
+        if (!isOneDirectional(m_parameters) && says("fragment"))
+            told.push_back({"lights-left-out", std::string(kLightsLeftOut)});
         if (m_parameters.rotation != 0.f && !says("rotation"))
             told.push_back({"rotation-lost", std::string(m_row.label) + " is not told the material's turn: turn the UVs of the mesh."});
         if (!engine.limits.empty())

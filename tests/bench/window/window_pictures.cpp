@@ -19,8 +19,10 @@
 #include "app/window/palette/command_palette.h"
 #include "app/window/panels/map_panel.h"
 #include "app/window/panels/message_line.h"
+#include "app/window/panels/parameter_panel.h"
 #include "app/window/viewport/overlays.h"
 #include "app/window/viewport/viewport.h"
+#include "app/window/widgets/section.h"
 #include "app/window/widgets/segmented.h"
 #include "app/window/widgets/theme.h"
 #include <QAction>
@@ -28,6 +30,7 @@
 #include <QDialog>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -189,7 +192,26 @@ ExportDialog& showExport(MainWindow& window, const char* target, bool written)
     return dialog;
 }
 
+// Four lights around a sphere, their handles shown, the section of the second open.
+void lights(MainWindow& window)
+{
+    window.assets().propose("Mesh", [](State& state) {
+        state.mesh = "sphere";
+        state.parameters.light2Kind = state.parameters.light4Kind = LightKind::Point, state.parameters.light3Kind = LightKind::Spot;
+        state.parameters.light4Yaw = -20.f, state.parameters.light4Pitch = -20.f, state.parameters.light4Distance = 1.4f;
+        state.parameters.light4Color = glm::vec3(0.2f, 1.f, 0.3f), state.parameters.environmentIntensity = 0.15f;
+    });
+    workUntil([&] { return window.assets().ready() && window.viewport().isSettled(); });
+    for (Section* section : window.parameters().findChildren<Section*>())
+        section->setOpen(section->findChild<QWidget*>("light2Kind") || section->findChild<QWidget*>("lightKind"));
+    QKeyEvent shift(QEvent::KeyPress, Qt::Key_Shift, Qt::ShiftModifier);
+    QApplication::sendEvent(&window.viewport(), &shift);
+    workUntil([&] { return window.viewport().isSettled(); });
+}
+
 const Scene kScenes[] = {
+    {"lights", {1280, 800}, Look::Dark, lights},
+    {"lights-light", {1280, 800}, Look::Light, lights},
     {"four-panes", {1280, 800}, Look::Dark,
         [](MainWindow& window) {
             panes(window, {Pane{"parallax"}, Pane{"relief"}, Pane{"relief", {{"depth", 0.1f}}, "fetches"}, Pane{"cell-cone", {}, "error"}});

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/shader_files.h"
+#include "core/state/lights.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
 #include <gtest/gtest.h>
@@ -57,6 +58,29 @@ TEST(ProgramText, LayersThatAreOffCostNothing)
     parameters.shading = Shading::BlinnPhong; // has no such layers
     EXPECT_FALSE(textOf("relief", "shaded", parameters).fragment.mentions("clearcoat"));
     EXPECT_EQ(textOf("relief", "depth", parameters).fragment.text, textOf("relief", "depth").fragment.text);
+}
+
+// One directional light costs what it did before there were others: lights that are off, and all that they are set to, leave no trace.
+TEST(ProgramText, LightsThatAreOffLeaveNoTrace)
+{
+    for (const char* view : {"shaded", "shadow", "invalid"})
+        for (const char* technique : {"relief", "cell-cone", "flat"}) {
+            const ShaderText plain = textOf(technique, view).fragment;
+            EXPECT_FALSE(plain.mentions("lights") || plain.mentions("lightCount") || plain.mentions("lightAt")) << view;
+            Parameters set;
+            set.light2Intensity = 5.f, set.light3Size = 4.f, set.light4Shadows = false, set.lightDistance = 0.5f, set.lightTurn = 90.f;
+            EXPECT_EQ(textOf(technique, view, set).fragment.text, plain.text) << view;
+            set.light3Kind = LightKind::Point;
+            const ShaderText several = textOf(technique, view, set).fragment;
+            EXPECT_TRUE(several.mentions("lights")) << view;
+            EXPECT_EQ(several.mentions("sampleTurn"), technique != std::string_view("flat")) << "it has a size";
+        }
+    Parameters several;
+    several.lightKind = LightKind::Off, several.light2Kind = LightKind::Spot, several.light2Shadows = false;
+    EXPECT_EQ(textOf("relief", "depth", several).fragment.text, textOf("relief", "depth").fragment.text);
+    EXPECT_FALSE(textOf("relief", "shaded", several).fragment.mentions("shadowBias")) << "no light that is on asks for a search";
+    several.light2Shadows = true;
+    EXPECT_TRUE(textOf("relief", "shaded", several).fragment.mentions("shadowBias"));
 }
 
 TEST(ProgramText, ExactSearchesKnowWrapAndLevelBeforehand)
@@ -158,6 +182,13 @@ TEST(ProgramText, DependsOnTheParametersThatSaySo)
             for (const ViewRow& view : kViews) {
                 Parameters base;
                 base.silhouettes = Silhouettes::Quadric, base.objectShadows = true, base.shadows = true;
+                if (row.group > Group::Light && row.group <= Group::Light4) { // what such a light is, where it alone has shadows
+                    base.shadows = false, base.light2Shadows = base.light3Shadows = base.light4Shadows = false;
+                    for (const LightMembers& light : kLights)
+                        if (kParameters[indexOf(light.kind)].group == row.group)
+                            base.*light.kind = row.member == Member(light.kind) ? LightKind::Off : LightKind::Point,
+                            base.*light.shadows = row.member != Member(light.shadows);
+                }
                 Parameters turned = base;
                 set(turned, row, kindOf(row) == ValueKind::Switch ? Value(!std::get<bool>(get(base, row))) : Value(get(base, row)));
                 if (kindOf(row) == ValueKind::Choice)

@@ -1,0 +1,55 @@
+// Lights from their parameters.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/state/lights.h"
+#include "core/state/camera_view.h"
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace relievo {
+
+bool isOneDirectional(const Parameters& parameters)
+{
+    return parameters.lightKind == LightKind::Directional
+        && std::none_of(kLights.begin() + 1, kLights.end(), [&](const LightMembers& light) { return isLit(parameters, light); });
+}
+
+Parameters withOneDirectional(Parameters parameters)
+{
+    if (parameters.lightKind == LightKind::Off)
+        parameters.lightIntensity = 0.f;
+    for (const LightMembers& light : kLights)
+        parameters.*light.kind = LightKind::Off;
+    parameters.lightKind = LightKind::Directional;
+    return parameters;
+}
+
+float turnedYaw(const Parameters& parameters, const LightMembers& light)
+{
+    const float yaw = parameters.*light.yaw + parameters.lightTurn;
+    return yaw > 180.f ? yaw - 360.f : yaw;
+}
+
+glm::vec3 directionTo(const Parameters& parameters, const LightMembers& light)
+{
+    return directionTo(turnedYaw(parameters, light), parameters.*light.pitch);
+}
+
+Around around(glm::vec3 boundsMin, glm::vec3 boundsMax)
+{
+    return {0.5f * (boundsMin + boundsMax), std::max(0.5f * glm::length(boundsMax - boundsMin), 1e-6f)};
+}
+
+float irradianceOf(const Parameters& parameters, const LightMembers& light)
+{
+    return std::numbers::pi_v<float> * parameters.*light.intensity;
+}
+
+float radiantIntensityOf(const Parameters& parameters, const LightMembers& light, const Around& mesh)
+{
+    const float distance = distanceOf(parameters, light, mesh);
+    return irradianceOf(parameters, light) * distance * distance;
+}
+
+} // namespace relievo
