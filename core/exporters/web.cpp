@@ -7,6 +7,7 @@
 #include "core/exporters/uniform_values.h"
 #include "core/exporters/web_data.h"
 #include "core/ground/file.h"
+#include "core/ground/srgb.h"
 #include "core/mesh/animation/pose.h"
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/scene_uniforms.h"
@@ -75,9 +76,12 @@ Expected<WebJson> sideJson(const ExportJob& job, const Side& side, const std::op
     return json;
 }
 
-Expected<WebJson> backgroundJson(Backdrop behind)
+Expected<WebJson> backgroundJson(const Parameters& parameters)
 {
+    const Backdrop behind = parameters.background;
     WebJson json = {{"kind", wordOf(behind)}};
+    if (const glm::vec3 color = parameters.backgroundColor; behind == Backdrop::Color)
+        json["color"] = jsonOf(glm::vec3(srgbOf(color.x), srgbOf(color.y), srgbOf(color.z)));
     if (behind != Backdrop::Environment && behind != Backdrop::Gradient)
         return json;
     const Expected<ProgramText> program = backgroundProgram(behind, false, embeddedReader(), Dialect::Es);
@@ -130,6 +134,8 @@ void tellLeftOut(const std::vector<Side>& sides, const Mesh& mesh, Warnings& war
         warnings.push_back({"web-silhouettes", "The page draws straight rays: silhouettes stay the mesh's."});
     if (any([](const Parameters& p) { return p.objectShadows; }))
         warnings.push_back({"web-object-shadows", "The page draws self-shadows of the relief, none between objects."});
+    if (any([](const Parameters& p) { return p.ground; }))
+        warnings.push_back({"web-ground", "The page draws no floor under the mesh."});
     if (const std::size_t triangles = mesh.indices.size() / 3; triangles > kManyTriangles)
         warnings.push_back({"web-mesh",
             "The mesh has " + std::to_string(triangles) + " triangles: a page is better served by at most " + std::to_string(kManyTriangles)
@@ -158,7 +164,7 @@ Expected<WebJson> dataOf(const ExportJob& job, Warnings& warnings)
     bare.depthOfHit = false;
     bare.edgeFade = 0.f;
     Expected<WebJson> plain = sideJson(job, {knownTechnique("flat"), bare}, std::nullopt, {}), maps = mapsJson(job, programs, warnings),
-                      background = backgroundJson(parameters.background);
+                      background = backgroundJson(parameters);
     for (const Expected<WebJson>* part : {&plain, &maps, &background})
         if (!*part)
             return *part;

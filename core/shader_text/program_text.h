@@ -92,6 +92,7 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 // The programs of the renderer, GLSL 4.10.
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
 Expected<ProgramText> backgroundProgram(Backdrop behind, bool linear, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
+Expected<ProgramText> groundProgram(bool linear, const ShaderReader& read); // the floor under the mesh
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
 Expected<ProgramText> composeProgram(const ShaderReader& read); // two pictures in one place (render/compose.h)
 // Runs the technique's search on rays in textures (`trace --device gl`).

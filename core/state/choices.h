@@ -65,7 +65,7 @@ constexpr std::string_view wordOf(Shading shading)
 }
 
 // What is drawn behind the mesh.
-enum class Backdrop { Plain, Environment, Transparent, Gradient };
+enum class Backdrop { Plain, Environment, Transparent, Gradient, Color };
 constexpr std::string_view wordOf(Backdrop background)
 {
     switch (background) {
@@ -77,6 +77,8 @@ constexpr std::string_view wordOf(Backdrop background)
         return "transparent";
     case Backdrop::Gradient:
         return "gradient";
+    case Backdrop::Color:
+        return "color";
     }
     return {};
 }
