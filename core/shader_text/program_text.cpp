@@ -330,9 +330,11 @@ Expected<ProgramText> groundProgram(bool linear, const ShaderReader& read)
     constexpr std::string_view kPlace = "uniform vec4 groundPlace[2];\n";
     Assembly fragment(read);
     fragment.generated(kPlace)
-        .generated(linear ? "float shownShare(float share) { return share; }" : "float shownShare(float share) { return pow(share, 1.0f / 2.2f); }")
+        .generated(linear ? "float shownShare(float share) { return share; }"
+                          : "float shownShare(float share) { return pow(share, 1.0f / 2.2f); }")
         .file("shading/environment.glsl");
-    return program(Assembly(read).generated(kPlace).file("vertex/ground_vertex.glsl").finish(), fragment.file("output/ground.glsl").finish());
+    return program(
+        Assembly(read).generated(kPlace).file("vertex/ground_vertex.glsl").finish(), fragment.file("output/ground.glsl").finish());
 }
 
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)

@@ -23,6 +23,7 @@ struct PageRow {
 };
 constexpr auto kPages = std::to_array<PageRow>({
     {"comparing.md", "Comparing techniques"},
+    {"light.md", "Light and surroundings"},
     {"deciding.md", "Deciding on a technique"},
     {"targets.md", "Export targets"},
     {"command-line.md", "The command line"},

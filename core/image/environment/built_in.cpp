@@ -1,8 +1,8 @@
 // The built-in environments by formula.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/image/environment/environment.h"
 #include "core/image/environment/directions.h"
+#include "core/image/environment/environment.h"
 #include "core/image/environment/prefilter.h"
 #include "core/image/environment/sky.h"
 #include "core/state/environments.h"
@@ -23,14 +23,14 @@ float smooth(float from, float to, float x)
 
 // A lamp or window with soft edges: a rectangle in the plane at distance 1 along `axis`, half-sizes as tangents.
 struct SoftBox {
-    SoftBox(glm::vec3 towards, float halfWidth, float halfHeight, float softness, glm::vec3 radiance)
+    SoftBox(glm::vec3 towards, float width, float height, float soft, glm::vec3 emitted)
         : axis(glm::normalize(towards))
         , right(glm::normalize(glm::cross(axis, glm::vec3(0.f, 1.f, 0.f))))
         , up(glm::cross(right, axis))
-        , radiance(radiance)
-        , halfWidth(halfWidth)
-        , halfHeight(halfHeight)
-        , softness(softness)
+        , radiance(emitted)
+        , halfWidth(width)
+        , halfHeight(height)
+        , softness(soft)
     {
     }
     glm::vec3 light(glm::vec3 direction) const
@@ -109,7 +109,8 @@ glm::vec3 sunset(glm::vec3 direction)
 {
     static const glm::vec3 sun = sunAt(5.f);
     static const PreethamSky sky(sun, 3.2f);
-    const float towards = 0.5f + 0.5f * glm::dot(glm::normalize(glm::vec3(direction.x, 0.f, direction.z) + 1e-6f), glm::vec3(sun.x, 0.f, sun.z));
+    const float towards
+        = 0.5f + 0.5f * glm::dot(glm::normalize(glm::vec3(direction.x, 0.f, direction.z) + 1e-6f), glm::vec3(sun.x, 0.f, sun.z));
     const float low = std::exp(-9.f * std::max(direction.y, 0.f));
     const glm::vec3 red(1.f, 0.42f, 0.16f);
     const glm::vec3 above = sky.radiance(direction) * glm::mix(glm::vec3(0.62f, 0.6f, 0.78f), red + 0.25f, low)

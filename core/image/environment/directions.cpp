@@ -103,9 +103,7 @@ glm::vec3 meanOf(const Cube& cube)
     return glm::vec3(sum / area);
 }
 
-SmoothCube::SmoothCube(const Cube& cube)
-    : m_side(cube.side)
-    , m_texels(6 * std::size_t(cube.side + 2) * std::size_t(cube.side + 2))
+SmoothCube::SmoothCube(const Cube& cube) : m_side(cube.side), m_texels(6 * std::size_t(cube.side + 2) * std::size_t(cube.side + 2))
 {
     tbb::parallel_for(0, 6 * (m_side + 2), [&](int row) {
         const int face = row / (m_side + 2), y = row % (m_side + 2) - 1;

@@ -86,7 +86,7 @@ Panorama resampled(const Image& image, int width)
 std::string_view shapeMeaning(double aspect)
 {
     const auto is = [aspect](double other) { return std::abs(aspect / other - 1.) < 0.02; };
-    return is(6.) || is(1. / 6.)      ? "It may be the six faces of a cube in a row, which are not read as such. "
+    return is(6.) || is(1. / 6.)     ? "It may be the six faces of a cube in a row, which are not read as such. "
         : is(4. / 3.) || is(3. / 4.) ? "It may be a cube unfolded to a cross, which is not read as such. "
         : is(1.)                     ? "It may be a fish-eye picture or a mirror ball, which are not read as such. "
                                      : "";
@@ -108,8 +108,7 @@ Warnings doubtsOf(const std::string& name, const Image& image, std::size_t odd)
             name + " has no light brighter than white, so that lamps and the sun are too weak. Choose an HDR or EXR file for true light."});
     if (odd > 0)
         doubts.push_back({"panorama-numbers",
-            name + ": " + std::to_string(odd)
-                + " numbers are negative, infinite, above 65504 or none at all; they count as 0 or 65504."});
+            name + ": " + std::to_string(odd) + " numbers are negative, infinite, above 65504 or none at all; they count as 0 or 65504."});
     return doubts;
 }
 

@@ -57,9 +57,7 @@ std::vector<LobeSample> lobeSamples(float roughness, int count, int sourceSide, 
 
 // A cube as it is seen with each of its faces in the place of the first: what is asked of one face's directions is answered for all six.
 struct SixFold {
-    explicit SixFold(const Cube& cube)
-        : side(cube.side)
-        , texels(cube.texels.size())
+    explicit SixFold(const Cube& cube) : side(cube.side), texels(cube.texels.size())
     {
         for (int first = 0; first < 6; ++first) {
             const glm::vec3 middle = cubeDirection({first, 0.f, 0.f});
@@ -101,7 +99,7 @@ Cube reflected(const std::vector<SixFold>& halves, int side, float roughness, in
 }
 
 // Irradiance / pi, by the sum over all texels.
-Cube matt(const Cube& cube)
+Cube matt(const Cube& cube, int side)
 {
     struct Source {
         glm::vec3 towards;
@@ -112,7 +110,7 @@ Cube matt(const Cube& cube)
         const float a = texelPlace(i % cube.side, cube.side), b = texelPlace(i / cube.side % cube.side, cube.side);
         sources.push_back({glm::normalize(cubeDirection({i / (cube.side * cube.side), a, b})), texelShare(a, b)});
     }
-    return cubeOf(kSideOfMatt, [&](glm::vec3 n) {
+    return cubeOf(side, [&](glm::vec3 n) {
         glm::vec3 sum(0.f);
         float total = 0.f;
         for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -147,9 +145,10 @@ std::vector<Cube> prefiltered(Cube sharp)
     }
     const int side = sharp.side, rough = sharpLevels(side);
     std::vector<Cube> levels = {std::move(sharp)};
-    for (int level = 1; level <= rough; ++level)
-        levels.push_back(reflected(halves, side >> level, roughnessOfLevel(level, side), 32 << level));
-    levels.push_back(matt(small));
+    for (int level = 1; level < rough; ++level)
+        levels.push_back(reflected(halves, side >> level, roughnessOfLevel(level, side), std::clamp(8 << 2 * level, 64, 2048)));
+    for (const int last : {kSideOfRough, kSideOfMatt}) // the lobe of roughness 1 is the cosine, seen from above
+        levels.push_back(matt(small, last));
     return levels;
 }
 

@@ -1,14 +1,14 @@
 // Environments: sizes, energy and directions of the built-in ones, pictures brought to the same form, and prefiltering against integrals.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/image/environment/environment.h"
 #include "core/image/environment/directions.h"
+#include "core/image/environment/environment.h"
 #include "core/image/environment/prefilter.h"
 #include "core/image/environment/sky.h"
 #include "core/image/files/image_file.h"
+#include "core/state/camera_view.h"
 #include "core/state/environments.h"
 #include "core/state/parameters.h"
-#include "core/state/camera_view.h"
 #include <cmath>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -220,7 +220,7 @@ TEST(Environment, TheTurnIsTheShadersAndLeavesHeightsAlone)
     EXPECT_LT(glm::distance(turned, glm::vec3(-0.8f, 0.6f, 0.f)), 1e-6f);
 }
 
-// What pictures read, levels between those that are made included, against the integral; so resources/help/surroundings.md says.
+// What pictures read, levels between those that are made included, against the integral; so resources/help/light.md says.
 TEST(Environment, PrefilteringIsNearTheIntegral)
 {
     for (const EnvironmentRow& row : kEnvironments) {
@@ -304,11 +304,12 @@ TEST_F(PanoramaFiles, OddOnesAreToldAndStayFinite)
         Codes codes;
         const char* says;
     };
-    for (const Case& c : {Case{96, 16, {}, {"panorama-shape"}, "six faces of a cube"}, {16, 96, {}, {"panorama-shape"}, "six faces of a cube"},
-             {64, 48, {}, {"panorama-shape"}, "cross"}, {48, 64, {}, {"panorama-shape"}, "cross"},
-             {64, 64, {}, {"panorama-shape"}, "fish-eye"}, {90, 20, {}, {"panorama-shape"}, "twice as wide"},
-             {1, 1, {}, {"panorama-tiny"}, "1 x 1"}, {64, 32, {kNan, kInf, -kInf, -3.f}, {"panorama-numbers"}, "4 numbers"},
-             {64, 32, {65504.f}, {}, ""}, {64, 32, {1e9f}, {"panorama-numbers"}, "1 numbers"}}) {
+    for (const Case& c :
+        {Case{96, 16, {}, {"panorama-shape"}, "six faces of a cube"}, {16, 96, {}, {"panorama-shape"}, "six faces of a cube"},
+            {64, 48, {}, {"panorama-shape"}, "cross"}, {48, 64, {}, {"panorama-shape"}, "cross"},
+            {64, 64, {}, {"panorama-shape"}, "fish-eye"}, {90, 20, {}, {"panorama-shape"}, "twice as wide"},
+            {1, 1, {}, {"panorama-tiny"}, "1 x 1"}, {64, 32, {kNan, kInf, -kInf, -3.f}, {"panorama-numbers"}, "4 numbers"},
+            {64, 32, {65504.f}, {}, ""}, {64, 32, {1e9f}, {"panorama-numbers"}, "1 numbers"}}) {
         const auto sky = opened(c.width, c.height, 1.f, c.odd);
         ASSERT_TRUE(sky) << message(sky.error());
         EXPECT_EQ(codesOf(*sky), c.codes) << c.width << ' ' << c.height;
