@@ -2,18 +2,13 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/clear_target.h"
-#include <cmath>
+#include "core/ground/srgb.h"
 #include <epoxy/gl.h>
 
 namespace relievo {
 
 namespace {
-constexpr float kPlainBackground[] = {0.0331f, 0.0331f, 0.0331f}; // linear; sRGB 51 of 255
-
-float srgb(float linear)
-{
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.f / 2.4f) - 0.055f;
-}
+const glm::vec3 kPlainBackground(0.0331f); // linear; sRGB 51 of 255
 } // namespace
 
 void bindTarget(const Target& target)
@@ -39,10 +34,11 @@ void clearTarget(const Parameters& parameters, const Target& target, bool heat)
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const glm::vec3 behind = parameters.background == Backdrop::Color && !heat ? parameters.backgroundColor : kPlainBackground;
     const bool transparent = parameters.background == Backdrop::Transparent || (target.linear && heat);
     float color[4] = {0.f, 0.f, 0.f, transparent ? 0.f : 1.f};
     for (int i = 0; i < 3 && !transparent; ++i)
-        color[i] = target.linear ? kPlainBackground[i] : srgb(kPlainBackground[i]);
+        color[i] = target.linear ? behind[i] : srgbOf(behind[i]);
     glClearColor(color[0], color[1], color[2], color[3]);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }

@@ -83,7 +83,7 @@ void drawMesh(DrawContext& context, Frame& frame, const ProgramFeatures& feature
 
 bool wantsShadowMap(const Frame& frame)
 {
-    return frame.features.objectShadows;
+    return frame.features.objectShadows || wantsGround(frame);
 }
 
 // As deep as the relief is there; sets the uniforms by which it is read.

@@ -30,11 +30,16 @@ void drawWireframe(DrawContext& context, Frame& frame);
 bool wantsBackground(const Frame& frame);
 void drawBackground(DrawContext& context, Frame& frame);
 
+// The floor under it: shadow and reflection over what is behind the mesh.
+bool wantsGround(const Frame& frame);
+void drawGround(DrawContext& context, Frame& frame);
+
 inline constexpr auto kPasses = std::to_array<PassRow>({
     {.key = "shadow-map", .isWanted = wantsShadowMap, .draw = drawShadowMap},
     {.key = "surface", .isWanted = wantsSurface, .draw = drawSurface},
     {.key = "wireframe", .isWanted = wantsWireframe, .draw = drawWireframe},
     {.key = "background", .isWanted = wantsBackground, .draw = drawBackground},
+    {.key = "ground", .isWanted = wantsGround, .draw = drawGround},
 });
 
 // The mesh as `features` and `uniforms` have it, for the surface and for what the light sees of it. intoShadowMap: only the depth counts.

@@ -75,7 +75,7 @@ Expected<float> Renderer::meteredExposure(const DrawRequest& request)
         return 1.f;
     state.panes[request.pane()].overrides.clear();
     state.parameters.background = Backdrop::Transparent;
-    state.parameters.wireframe = false;
+    state.parameters.wireframe = state.parameters.ground = false;
     const float aspect = aspectOf(target);
     const int width = std::max(1, int(std::min(1.f, aspect) * kSide)), height = std::max(1, int(std::min(1.f, 1.f / aspect) * kSide));
     if (const auto made = m->measuring.resize(width, height, true); !made)

@@ -9,6 +9,7 @@
 #include "core/mesh/animation/pose.h"
 #include "core/scene/inputs.h"
 #include "core/scene/relief_numbers.h"
+#include "core/state/environments.h"
 #include "core/state/presets.h"
 #include "core/state/shapes.h"
 #include "core/state/state_json.h"
@@ -41,6 +42,13 @@ std::string shapeNames()
         names += '|' + std::string(shape);
     return names;
 }
+std::string environmentNames()
+{
+    std::string names = "FILE";
+    for (const EnvironmentRow& row : kEnvironments)
+        names += '|' + std::string(row.key);
+    return names;
+}
 } // namespace
 
 void StateOptions::addTo(CLI::App& command, std::vector<std::string>* sources)
@@ -53,8 +61,8 @@ void StateOptions::addTo(CLI::App& command, std::vector<std::string>* sources)
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command.add_option("--mesh", mesh, "Mesh file or shape")->type_name(shapeNames());
-    command.add_option("--environment", environment, "Equirectangular picture (hdr, exr) that lights the scene, or studio")
-        ->type_name("FILE");
+    command.add_option("--environment", environment, "What lights the scene from around: a panorama (hdr, exr) or a built-in environment")
+        ->type_name(environmentNames());
     command.add_option("--camera", camera, "yaw=DEG,pitch=DEG,distance=M,target=X:Y:Z (M),fov=DEG,fill=SHARE, any of them")
         ->type_name("SETTINGS");
     addMapsTo(command);
@@ -160,7 +168,7 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
     for (const std::string& assignment : options.set)
         if (const auto done = setParameter(state, assignment); !done)
             return problem(done.error(), WrongUsage);
-    const bool isShape = std::ranges::count(kShapes, options.mesh) > 0, isStudio = options.environment == "studio";
+    const bool isShape = std::ranges::count(kShapes, options.mesh) > 0, isBuiltIn = isBuiltInEnvironment(options.environment);
     if (!options.mesh.empty()) {
         if (const auto there = isShape ? Result<void>() : checkFile(options.mesh, "--mesh"); !there)
             return there;
@@ -168,9 +176,9 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
         state.part.clear();
     }
     if (!options.environment.empty()) {
-        if (const auto there = isStudio ? Result<void>() : checkFile(options.environment, "--environment"); !there)
+        if (const auto there = isBuiltIn ? Result<void>() : checkFile(options.environment, "--environment"); !there)
             return there;
-        state.environment = isStudio ? options.environment : absolutePath(options.environment).string();
+        state.environment = isBuiltIn ? options.environment : absolutePath(options.environment).string();
     }
     Camera camera = cameraOf(state, 0); // of the pane that is drawn
     if (const auto done = setCamera(camera, options.camera); !done)
@@ -292,7 +300,8 @@ Result<Scene> openScene(const StateOptions& options, const Progress& progress, b
     if (const auto kept = checkOutputs(options, picturesOf(*resources->mesh)); !kept)
         return tl::unexpected(kept.error());
     Scene scene{std::move(opened->state), std::move(*resources), std::move(opened->warnings)};
-    for (const Warnings* more : {&scene.resources.material->warnings, &scene.resources.mesh->warnings})
+    const Resources& loaded = scene.resources;
+    for (const Warnings* more : {&loaded.material->warnings, &loaded.mesh->warnings, &loaded.environment->warnings})
         scene.warnings.insert(scene.warnings.end(), more->begin(), more->end()); // what stands in both is told once
     for (auto warning : {missingClip(scene), tooDeep(scene.state, scene.resources)})
         if (warning)

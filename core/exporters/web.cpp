@@ -7,6 +7,7 @@
 #include "core/exporters/uniform_values.h"
 #include "core/exporters/web_data.h"
 #include "core/ground/file.h"
+#include "core/ground/srgb.h"
 #include "core/mesh/animation/pose.h"
 #include "core/shader_text/program_text.h"
 #include "core/shader_text/scene_uniforms.h"
@@ -79,6 +80,8 @@ Expected<WebJson> backgroundJson(const Parameters& parameters, const TechniqueRo
 {
     const Backdrop behind = parameters.background;
     WebJson json = {{"kind", wordOf(behind)}};
+    if (const glm::vec3 color = parameters.backgroundColor; behind == Backdrop::Color)
+        json["color"] = jsonOf(glm::vec3(srgbOf(color.x), srgbOf(color.y), srgbOf(color.z)));
     if (behind != Backdrop::Environment && behind != Backdrop::Gradient)
         return json;
     const Expected<ProgramText> program
@@ -136,6 +139,8 @@ void tellLeftOut(const std::vector<Side>& sides, const Mesh& mesh, Warnings& war
         warnings.push_back({"web-camera", "The page has no vignette, depth of field or automatic exposure."});
     if (any([](const Parameters& p) { return !isOneDirectional(p); }))
         warnings.push_back({"web-lights", std::string(kLightsLeftOut)});
+    if (any([](const Parameters& p) { return p.ground; }))
+        warnings.push_back({"web-ground", "The page draws no floor under the mesh."});
     if (const std::size_t triangles = mesh.indices.size() / 3; triangles > kManyTriangles)
         warnings.push_back({"web-mesh",
             "The mesh has " + std::to_string(triangles) + " triangles: a page is better served by at most " + std::to_string(kManyTriangles)

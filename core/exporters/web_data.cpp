@@ -5,7 +5,8 @@
 #include "core/exporters/map_images.h"
 #include "core/exporters/written_pictures.h"
 #include "core/ground/base64.h"
-#include "core/image/environment_cube.h"
+#include "core/image/environment/directions.h"
+#include "core/image/environment/prefilter.h"
 #include "core/mesh/edges/closed.h"
 #include <cassert>
 #include <glm/gtc/packing.hpp>
@@ -96,13 +97,15 @@ WebJson webMesh(const Mesh& mesh, const std::vector<char>& isPlain)
 
 WebJson webEnvironment(const Environment& environment)
 {
-    std::vector<std::uint16_t> halves;
-    for (int level = 0; level < kEnvironmentLevels; ++level)
-        for (int face = 0; face < 6; ++face)
-            for (const glm::vec3& radiance : cubeFace(environment, level, face))
-                for (int c = 0; c < 3; ++c)
-                    halves.push_back(glm::packHalf1x16(radiance[c]));
-    return {{"side", cubeSize(0)}, {"levels", kEnvironmentLevels}, {"halves", numbers(halves)}};
+    Cube sharp = environment.levels.front();
+    while (sharp.side > kWebEnvironmentSide)
+        sharp = halved(sharp);
+    const std::vector<Cube> levels = sharp.side == environment.levels.front().side ? environment.levels : prefiltered(std::move(sharp));
+    std::vector<std::uint32_t> texels;
+    for (const Cube& cube : levels)
+        for (const glm::vec3& radiance : cube.texels)
+            texels.push_back(glm::packF3x9_E1x5(radiance));
+    return {{"side", levels.front().side}, {"levels", levels.size()}, {"texels", numbers(texels)}};
 }
 
 } // namespace relievo

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/exporters/exporters.h"
-#include "core/image/environment.h"
+#include "core/image/environment/environment.h"
 #include "core/image/image.h"
 #include "core/maps/acceleration/acceleration_map.h"
 #include "core/mesh/mesh.h"
@@ -26,7 +26,9 @@ Expected<WebJson> webBound(const ExportJob& job, const AccelerationMap& map);
 // Positions, normals and uvs as 32-bit floats, indices of 16 or 32 bits, those of parts with relief first: {relief: how many}.
 WebJson webMesh(const Mesh& mesh, const std::vector<char>& isPlain);
 
-// Faces of each level, one after the other, as half floats: {side, levels, halves}.
+// At most kWebEnvironmentSide texels a side, so that a page stays small. Faces of each level, one after the other, as numbers of 32 bits
+// (RGB9_E5): {side, levels, texels}.
+inline constexpr int kWebEnvironmentSide = 128;
 WebJson webEnvironment(const Environment& environment);
 
 } // namespace relievo

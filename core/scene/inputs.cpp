@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/inputs.h"
 #include "core/gltf/pictures.h"
+#include "core/state/environments.h"
 #include "core/state/shapes.h"
 #include <algorithm>
 
@@ -48,7 +49,7 @@ Warnings doubtsOf(const State& state)
     };
     if (!std::ranges::count(kShapes, state.mesh) && isMissing(state.mesh))
         doubts.push_back({"mesh-missing", "The mesh " + state.mesh + " is not there. Put it back, or choose another one."});
-    if (state.environment != "studio" && isMissing(state.environment))
+    if (!isBuiltInEnvironment(state.environment) && isMissing(state.environment))
         doubts.push_back(
             {"environment-missing", "The environment " + state.environment + " is not there. Put it back, or choose another one."});
     for (std::size_t i = 0; i < state.panes.size(); ++i) {

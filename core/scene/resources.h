@@ -4,7 +4,7 @@
 #pragma once
 #include "core/ground/error.h"
 #include "core/ground/progress.h"
-#include "core/image/environment.h"
+#include "core/image/environment/environment.h"
 #include "core/image/material.h"
 #include "core/image/sets/texture_set.h"
 #include "core/mesh/animation/pose.h"

@@ -389,6 +389,18 @@ Expected<ProgramText> backgroundProgram(Backdrop behind, const ProgramFeatures& 
     return program(Assembly(read, features.dialect).file("vertex/background_vertex.glsl").finish(), fragment.finish());
 }
 
+Expected<ProgramText> groundProgram(bool linear, const ShaderReader& read)
+{
+    constexpr std::string_view kPlace = "uniform vec4 groundPlace[2];\n";
+    Assembly fragment(read);
+    fragment.generated(kPlace)
+        .generated(linear ? "float shownShare(float share) { return share; }"
+                          : "float shownShare(float share) { return pow(share, 1.0f / 2.2f); }")
+        .file("shading/environment.glsl");
+    return program(
+        Assembly(read).generated(kPlace).file("vertex/ground_vertex.glsl").finish(), fragment.file("output/ground.glsl").finish());
+}
+
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read)
 {
     ProgramFeatures features;

@@ -97,6 +97,7 @@ ShaderReader folderReader(const std::filesystem::path& folder); // falls back to
 Expected<ProgramText> meshProgram(const ProgramFeatures& features, const ShaderReader& read);
 // features: how colours are shown (linear, dialect, and the variants of the display).
 Expected<ProgramText> backgroundProgram(Backdrop behind, const ProgramFeatures& features, const ShaderReader& read);
+Expected<ProgramText> groundProgram(bool linear, const ShaderReader& read); // the floor under the mesh
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
 Expected<ProgramText> composeProgram(const ShaderReader& read); // two pictures in one place (render/compose.h)
 // Runs the technique's search on rays in textures (`trace --device gl`).

@@ -99,7 +99,7 @@ constexpr std::string_view wordOf(LightKind kind)
 }
 
 // What is drawn behind the mesh.
-enum class Backdrop { Plain, Environment, Transparent, Gradient };
+enum class Backdrop { Plain, Environment, Transparent, Gradient, Color };
 constexpr std::string_view wordOf(Backdrop background)
 {
     switch (background) {
@@ -111,6 +111,8 @@ constexpr std::string_view wordOf(Backdrop background)
         return "transparent";
     case Backdrop::Gradient:
         return "gradient";
+    case Backdrop::Color:
+        return "color";
     }
     return {};
 }

@@ -130,6 +130,10 @@ struct Parameters { // the initialisers ARE the defaults
     float focusDistance = 0.f;
     // View
     Backdrop background = Backdrop::Plain;
+    glm::vec3 backgroundColor{0.5f};
+    float backgroundBlur = 0.3f;
+    bool ground = false;
+    float groundReflection = 0.f;
     bool wireframe = false;
     float fetchRange = 40.f;
     float errorRange = 0.05f;
@@ -893,6 +897,31 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .group = Group::View,
         .max = kLast<Backdrop>,
         .help = "What is drawn behind the mesh; gradient: a soft grey, lighter behind the middle."},
+    {.member = &Parameters::backgroundColor,
+        .key = "backgroundColor",
+        .label = "Background color",
+        .group = Group::View,
+        .unit = "linear",
+        .shown = {.when = Condition(&Parameters::background, Backdrop::Color)},
+        .help = "Color behind the mesh, shown as it is, whatever the exposure."},
+    {.member = &Parameters::backgroundBlur,
+        .key = "backgroundBlur",
+        .label = "Background blur",
+        .group = Group::View,
+        .shown = {.when = Condition(&Parameters::background, Backdrop::Environment)},
+        .help = "How far the surroundings behind the mesh are out of focus: as a surface of this roughness would mirror them; 0 is sharp."},
+    {.member = &Parameters::ground,
+        .key = "ground",
+        .label = "Ground",
+        .group = Group::View,
+        .help
+        = "A floor under the mesh that takes its shadow and fades into the background; alone on a transparent background, the shadow."},
+    {.member = &Parameters::groundReflection,
+        .key = "groundReflection",
+        .label = "Ground reflection",
+        .group = Group::View,
+        .shown = {.when = Condition(&Parameters::ground, true)},
+        .help = "How much the floor mirrors the mesh."},
     {.member = &Parameters::wireframe,
         .key = "wireframe",
         .label = "Wireframe",

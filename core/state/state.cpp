@@ -37,6 +37,7 @@ State ofFirstPane(const State& state)
     plain.parameters = effectiveParameters(state, 0);
     plain.camera = cameraOf(state, 0);
     plain.panes = {Pane{state.panes.front().technique}};
+    plain.parameters.ground = false;
     return plain;
 }
 

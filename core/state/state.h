@@ -42,7 +42,7 @@ struct State {
     MapSlots slots;
     std::string mesh = "plane"; // a shape's key or an absolute path
     std::string part; // material of the mesh file whose parts show this material; "" for all, the others are plain
-    std::string environment = "studio"; // "studio" or an absolute path
+    std::string environment = "studio"; // a key of kEnvironments or an absolute path
     Camera camera; // of the linked panes
     std::vector<Pane> panes = {Pane{}}; // 1 to kMaxPanes
     bool operator==(const State&) const = default;
@@ -53,7 +53,7 @@ Parameters effectiveParameters(const State& state, std::size_t pane);
 // The camera that it is seen by: its own, or the shared one.
 const Camera& cameraOf(const State& state, std::size_t pane);
 void setCameraOf(State& state, std::size_t pane, const Camera& camera);
-// The State with one plain pane, for measuring: what the first pane overrides and its own camera have become the State's.
+// The State with one plain pane and no floor, for measuring: what the first pane overrides and its own camera have become the State's.
 State ofFirstPane(const State& state);
 // Shows all panes by this view, a key of kViews.
 void setView(State& state, std::string_view view);

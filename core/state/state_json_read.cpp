@@ -4,6 +4,7 @@
 #include "core/ground/file.h"
 #include "core/ground/json_depth.h"
 #include "core/ground/shown_text.h"
+#include "core/state/environments.h"
 #include "core/state/sample_names.h"
 #include "core/state/shapes.h"
 #include "core/state/state_json.h"
@@ -47,7 +48,7 @@ public:
             if (key == "part")
                 return text(value, key, state.part);
             if (key == "environment")
-                return file(value, key, state.environment, value != "studio");
+                return file(value, key, state.environment, !isBuiltInEnvironment(value.is_string() ? value.get<std::string>() : ""));
             if (key == "camera")
                 return camera(value, key, state.camera);
             if (key == "view")

@@ -28,6 +28,15 @@ public:
 };
 
 // Triangles are drawn as lines. Lines more than a pixel wide are an error in contexts without what is deprecated.
+// As a mirror has it: clockwise triangles are the front.
+class ScopedMirror {
+public:
+    ScopedMirror() { glFrontFace(GL_CW); }
+    ~ScopedMirror() { glFrontFace(GL_CCW); }
+    ScopedMirror(const ScopedMirror&) = delete;
+    ScopedMirror& operator=(const ScopedMirror&) = delete;
+};
+
 class ScopedLines {
 public:
     explicit ScopedLines(float pixels)

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/uploads/textures.h"
-#include "core/image/environment_cube.h"
 #include "core/maps/surface/normal.h"
 #include <algorithm>
 #include <cmath>
@@ -90,14 +89,13 @@ Texture uploadEnvironment(const Environment& environment)
 {
     Texture texture = newTexture();
     glBindTexture(GL_TEXTURE_CUBE_MAP, *texture);
-    for (int level = 0; level < kEnvironmentLevels; ++level) {
-        const int size = cubeSize(level);
-        for (int face = 0; face < 6; ++face) {
-            const std::vector<glm::vec3> pixels = cubeFace(environment, level, face);
-            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(face), level, GL_RGB16F, size, size, 0, GL_RGB, GL_FLOAT, pixels.data());
-        }
+    for (std::size_t level = 0; level < environment.levels.size(); ++level) {
+        const Cube& cube = environment.levels[level];
+        for (int face = 0; face < 6; ++face)
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(face), GLint(level), GL_RGB16F, cube.side, cube.side, 0, GL_RGB, GL_FLOAT,
+                cube.face(face).data());
     }
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, kEnvironmentLevels - 1);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, GLint(environment.levels.size()) - 1);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     return texture;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/image/environment.h"
+#include "core/image/environment/environment.h"
 #include "core/image/height_field.h"
 #include "core/image/image.h"
 #include "core/maps/acceleration/acceleration_map.h"

@@ -8,7 +8,9 @@
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
 #include "core/mesh/mesh.h"
+#include "core/state/environments.h"
 #include "tests/app/window_support.h"
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QScreen>
@@ -50,12 +52,35 @@ TEST_F(LookTest, ANewDocumentIsASphereWithTrueSilhouettes)
     ASSERT_TRUE(waitFor([&] { return state().mesh == "sphere"; }));
     EXPECT_EQ(state().parameters.silhouettes, Silhouettes::Prisms);
     EXPECT_EQ(state().parameters.background, Backdrop::Gradient);
+    EXPECT_TRUE(state().parameters.ground);
     EXPECT_EQ(state().camera, startingScene().camera);
     EXPECT_FALSE(window.document().isModified());
     EXPECT_LT(std::abs(state().camera.pitch), 15.f) << "the poles lie on the outline";
     window.maps().setMesh("plane");
     settle();
     EXPECT_GT(state().camera.pitch, 20.f) << "nothing would be seen of a plane from its edge";
+}
+
+TEST_F(LookTest, EnvironmentsAreChosenByTheirPictures)
+{
+    auto& list = *window.maps().findChild<QComboBox*>("environments");
+    ASSERT_EQ(list.count(), int(kEnvironments.size()));
+    QList<QRgb> middles;
+    for (int i = 0; i < list.count(); ++i) {
+        EXPECT_EQ(list.itemText(i), qt(kEnvironments[std::size_t(i)].label));
+        const QRgb above = list.itemIcon(i).pixmap(list.iconSize()).toImage().pixel(24, 6);
+        EXPECT_FALSE(middles.contains(above)) << i;
+        middles.append(above);
+    }
+    list.setCurrentIndex(2);
+    Q_EMIT list.activated(2);
+    settle();
+    EXPECT_EQ(state().environment, kEnvironments[2].key);
+    ASSERT_TRUE(waitFor([&] { return window.assets().resources().environmentName == state().environment; }));
+    window.action("undo")->trigger();
+    settle();
+    EXPECT_EQ(state().environment, "studio");
+    EXPECT_EQ(list.currentIndex(), 0);
 }
 
 TEST_F(LookTest, AProjectOwesNothingToTheSceneBeforeIt)

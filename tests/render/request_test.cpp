@@ -67,6 +67,11 @@ TEST(Passes, AreDrawnWhereTheyAreWanted)
     state.parameters.wireframe = state.parameters.objectShadows = true;
     state.parameters.background = Backdrop::Environment;
     EXPECT_EQ(wanted(state), "shadow-map surface wireframe background ");
+    state.parameters.objectShadows = false, state.parameters.ground = true;
+    EXPECT_EQ(wanted(state), "shadow-map surface wireframe background ground ");
+    state.camera.pitch = -30.f; // from below
+    EXPECT_EQ(wanted(state), "surface wireframe background ");
+    state.camera.pitch = 30.f;
     setView(state, "fetches"); // is not lit, and lies on a plain ground
     EXPECT_EQ(wanted(state), "surface wireframe ");
 }

@@ -24,6 +24,7 @@ struct PageRow {
 constexpr auto kPages = std::to_array<PageRow>({
     {"lights.md", "Lights"},
     {"comparing.md", "Comparing techniques"},
+    {"light.md", "Light and surroundings"},
     {"deciding.md", "Deciding on a technique"},
     {"camera.md", "Camera and picture"},
     {"optics.md", "Coat, cloth, glass"},

@@ -4,6 +4,7 @@
 #include "app/window/document/file_stamps.h"
 #include "core/gltf/buffers.h"
 #include "core/gltf/pictures.h"
+#include "core/state/environments.h"
 #include "core/state/sample_names.h"
 #include "core/state/shapes.h"
 #include <algorithm>
@@ -41,7 +42,7 @@ FileStamps stampsOf(const State& state)
         stamps[state.mesh] = stampOf(state.mesh);
     for (const fs::path& file : buffersBeside(state.mesh))
         stamps[file.string()] = stampOfFile(file);
-    if (state.environment != "studio")
+    if (!isBuiltInEnvironment(state.environment))
         stamps[state.environment] = stampOf(state.environment);
     return stamps;
 }

@@ -136,6 +136,7 @@ State groundFor(const OpenInto& job, const State& now)
         ground.mesh = scene.mesh;
         ground.parameters.silhouettes = scene.parameters.silhouettes;
         ground.parameters.background = scene.parameters.background;
+        ground.parameters.ground = now.parameters.ground, ground.parameters.groundReflection = now.parameters.groundReflection;
     }
     ground.panes = now.panes;
     for (Pane& pane : ground.panes)

@@ -177,6 +177,7 @@ void tellShown(const Shown& shown, Messages& messages)
     messages.set("missing", warningsOf(shown));
     messages.set("maps", shown.resources.material->warnings);
     messages.set("mesh", shown.resources.mesh->warnings);
+    messages.set("environment", shown.resources.environment->warnings);
 }
 
 void tellApplied(const Job& job, const Loaded& loaded, const Before& before, Document& document, Messages& messages)

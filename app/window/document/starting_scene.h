@@ -10,7 +10,8 @@ namespace relievo {
 inline constexpr const char* kStartingSource = "sample:cobblestones";
 
 // What a new document, and maps that the window is started with, are shown on: a sphere with true silhouettes that fills the pane, its
-// poles out of sight, before a soft backdrop. A value of the window's alone: projects and the command line go by the defaults of State.
+// poles out of sight, on a floor before a soft backdrop. A value of the window's alone: projects and the command line go by the defaults of
+// State.
 inline State startingScene()
 {
     State state;
@@ -18,6 +19,7 @@ inline State startingScene()
     state.parameters.tiling = 2.f;
     state.parameters.silhouettes = Silhouettes::Prisms;
     state.parameters.background = Backdrop::Gradient;
+    state.parameters.ground = true;
     state.camera.pitch = 8.f;
     state.camera.fill = 0.87f;
     return state;

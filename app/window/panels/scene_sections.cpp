@@ -9,12 +9,21 @@
 #include "app/window/widgets/segmented.h"
 #include "app/window/widgets/text.h"
 #include "app/window/widgets/theme.h"
+#include "core/ground/srgb.h"
+#include "core/image/environment/environment.h"
 #include "core/mesh/mesh.h"
+#include "core/state/environments.h"
 #include "core/state/shapes.h"
 #include <QFileInfo>
+#include <QIcon>
+#include <QImage>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
+#include <glm/exponential.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/vec2.hpp>
 
 namespace relievo {
 namespace {
@@ -121,30 +130,57 @@ void MeshSection::showParts(const State& state, const Mesh* mesh)
     m_parts->setCurrentIndex(std::max(0, m_parts->findData(QString::fromStdString(state.part))));
 }
 
-EnvironmentSection::EnvironmentSection(QWidget* parent)
-    : Section(tr("Environment"), parent)
-    , m_name(new ElidedLabel)
-    , m_studio(lineButton("reset", tr("Back to the built-in studio")))
+namespace {
+// All around, the horizon in the middle, as it is seen when its average is a middle grey.
+QIcon thumbnail(std::string_view key)
+{
+    constexpr int kWidth = 96, kHeight = 48;
+    QImage image(kWidth, kHeight, QImage::Format_RGB32);
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const glm::vec2 turn
+                = glm::vec2(2.f * (float(x) + 0.5f) / float(kWidth) - 1.f, (float(y) + 0.5f) / float(kHeight)) * glm::pi<float>();
+            const glm::vec3 towards(std::sin(turn.x) * std::sin(turn.y), std::cos(turn.y), -std::cos(turn.x) * std::sin(turn.y));
+            const glm::vec3 seen = 1.f - glm::exp(-0.7f * builtInRadiance(key, towards));
+            image.setPixelColor(x, y, QColor::fromRgbF(srgbOf(seen.x), srgbOf(seen.y), srgbOf(seen.z)));
+        }
+    QPixmap pixmap = QPixmap::fromImage(image);
+    pixmap.setDevicePixelRatio(2.);
+    return QIcon(pixmap);
+}
+} // namespace
+
+EnvironmentSection::EnvironmentSection(QWidget* parent) : Section(tr("Environment"), parent), m_choice(new ChoiceList), m_name(factsLabel())
 {
     setObjectName("environment");
     setAcceptDrops(true);
     m_name->setObjectName("environment-name");
+    m_choice->setObjectName("environments");
+    m_choice->setIconSize({48, 24});
+    m_choice->setToolTip(tr("The surroundings that light the mesh and that it mirrors: built in, or a panorama of your own"));
+    for (const EnvironmentRow& row : kEnvironments)
+        m_choice->addItem(thumbnail(row.key), qt(row.label), qt(row.key));
     auto* open = lineButton("open", tr("Open a panorama: HDR or EXR"));
     auto* line = new QHBoxLayout;
-    line->addWidget(m_name, 1);
-    line->addWidget(m_studio);
+    line->addWidget(m_choice, 1);
     line->addWidget(open);
     body()->addLayout(line);
-    connect(m_studio, &QToolButton::clicked, this, [this] { Q_EMIT chosen("studio"); });
+    body()->addWidget(m_name);
+    connect(m_choice, &QComboBox::activated, this, [this](int index) { Q_EMIT chosen(m_choice->itemData(index).toString()); });
     connect(open, &QToolButton::clicked, this,
         [this] { askForFile(this, tr("Open a panorama"), FileKind::Panorama, [this](const QString& file) { Q_EMIT chosen(file); }); });
 }
 
 void EnvironmentSection::show(const State& state, bool missing)
 {
-    const bool studio = state.environment == "studio";
-    showFile(*m_name, studio ? tr("Studio").toStdString() : state.environment, missing, "");
-    m_studio->setVisible(!studio);
+    const bool isBuiltIn = isBuiltInEnvironment(state.environment);
+    while (m_choice->count() > int(kEnvironments.size()))
+        m_choice->removeItem(m_choice->count() - 1);
+    if (!isBuiltIn)
+        m_choice->addItem(tr("Panorama"), QString::fromStdString(state.environment));
+    m_choice->setCurrentIndex(m_choice->findData(QString::fromStdString(state.environment)));
+    showFile(*m_name, state.environment, missing, "dim");
+    m_name->setVisible(!isBuiltIn);
 }
 
 bool EnvironmentSection::event(QEvent* event)

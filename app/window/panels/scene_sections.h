@@ -6,7 +6,6 @@
 #include "core/state/state.h"
 
 class QComboBox;
-class QToolButton;
 
 namespace relievo {
 
@@ -47,8 +46,8 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    ElidedLabel* m_name;
-    QToolButton* m_studio;
+    QComboBox* m_choice; // the built-in ones, and the panorama while there is one
+    ElidedLabel* m_name; // its file
 };
 
 } // namespace relievo

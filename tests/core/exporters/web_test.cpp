@@ -234,5 +234,5 @@ TEST_F(Web, PartsWithoutReliefStandLast)
     const json whole = data();
     EXPECT_EQ(decoded(whole["mesh"]["indices"]).size(), 2 * whole["mesh"]["relief"].get<std::size_t>());
     EXPECT_EQ(decoded(whole["mesh"]["positions"]).size(), m_resources.mesh->vertices.size() * 12);
-    EXPECT_EQ(decoded(whole["environment"]["halves"]).size() % (6 * 3 * 2), 0u);
+    EXPECT_EQ(decoded(whole["environment"]["texels"]).size() % (6 * 4), 0u);
 }
