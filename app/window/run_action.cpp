@@ -58,13 +58,19 @@ void runFile(MainWindow& window, Action action)
     case Action::ContactSheet:
     case Action::Report:
         return measuringOf(window).ask(action);
+    case Action::Reload:
+        return window.assets().readAgain();
     default:
         return files.saveAs();
     }
 }
-void runClipboard(MainWindow& window, Action action)
+void runEdit(MainWindow& window, Action action)
 {
-    if (action == Action::CopyPicture)
+    if (action == Action::Undo)
+        window.document().undoStack().undo();
+    else if (action == Action::Redo)
+        window.document().undoStack().redo();
+    else if (action == Action::CopyPicture)
         copyPicture(window.viewport(), window.messages());
     else if (action == Action::CopyCamera)
         copyCamera(window.document(), activePane(window));
@@ -101,7 +107,6 @@ QString fieldOfViewText(float fieldOfView)
 // A case for each row of kActions: one that is missing does not compile.
 void runAction(MainWindow& window, Action action, bool on)
 {
-    Document& document = window.document();
     switch (action) {
     case Action::New:
     case Action::Open:
@@ -112,21 +117,18 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::ExportAgain:
     case Action::ContactSheet:
     case Action::Report:
-        return runFile(window, action);
     case Action::Reload:
-        return window.assets().readAgain();
+        return runFile(window, action);
     case Action::Quit:
         return void(window.close());
     case Action::Undo:
-        return document.undoStack().undo();
     case Action::Redo:
-        return document.undoStack().redo();
     case Action::CopyPicture:
     case Action::CopyCamera:
     case Action::PasteCamera:
-        return runClipboard(window, action);
+        return runEdit(window, action);
     case Action::Wireframe:
-        return setWireframe(document, on);
+        return setWireframe(window.document(), on);
     case Action::TwoPanes:
         return window.comparing().showPanes(on);
     case Action::Wipe:

@@ -72,7 +72,7 @@ void layerFiles(Assembly& part, const ProgramFeatures& features)
         kParameters, [&](const ParameterRow& row) { return row.shader.place == ShaderPlace::Layer && features.variant(row.member) != 0; });
     if (any)
         variantFiles(part, features, ShaderPlace::Layer);
-    part.file(any ? "shading/layers.glsl" : "shading/layers_none.glsl");
+    part.file(any ? "layers/layers.glsl" : "layers/layers_none.glsl");
 }
 
 // From light to the screen: toDisplay() and throughLens().

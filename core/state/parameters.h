@@ -723,7 +723,7 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .label = "Clear coat",
         .group = Group::Layers,
         .affects = {Affects::ProgramText},
-        .shader = {.place = ShaderPlace::Layer, .files = {"shading/coat_none.glsl", "shading/coat.glsl"}},
+        .shader = {.place = ShaderPlace::Layer, .files = {"layers/coat_none.glsl", "layers/coat.glsl"}},
         .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
         .help = "A layer of lacquer, as smooth as the mesh, over the relief's material."},
     {.member = &Parameters::clearcoatRoughness,
@@ -737,7 +737,7 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .label = "Sheen",
         .group = Group::Layers,
         .affects = {Affects::ProgramText},
-        .shader = {.place = ShaderPlace::Layer, .files = {"shading/sheen_none.glsl", "shading/sheen.glsl"}},
+        .shader = {.place = ShaderPlace::Layer, .files = {"layers/sheen_none.glsl", "layers/sheen.glsl"}},
         .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
         .help = "The soft light along the edges of cloth and velvet."},
     {.member = &Parameters::sheenColor,
@@ -758,7 +758,7 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .label = "Transmission",
         .group = Group::Layers,
         .affects = {Affects::ProgramText},
-        .shader = {.place = ShaderPlace::Layer, .files = {"shading/through_none.glsl", "shading/through.glsl"}},
+        .shader = {.place = ShaderPlace::Layer, .files = {"layers/through_none.glsl", "layers/through.glsl"}},
         .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
         .help = "Share of the light that goes through instead of being scattered: the surroundings, bent by Refraction; a way of one "
                 "relief depth "

@@ -14,7 +14,7 @@ struct ShadingPoint {
     vec3 diffuse; // and from below the surface
 };
 
-// Shares of light from all around alike that microfacets reflect once: by a Fresnel term of 1, and by (1 - v.h)^5. Rational fits of ours
+// Shares of light from all around alike that microfacets reflect once: by a Fresnel term of 1, and by (1 - v . h)^5. Rational fits of ours
 // to the integrals over visible normals, off by at most 0.0065 and 0.01 where nv is 0.07 or more.
 vec2 reflectedOnce(float nv, float rough)
 {

@@ -43,7 +43,7 @@ std::vector<LobeSample> lobeSamples(float roughness, int count, int sourceSide, 
         if (cosine <= 0.f)
             continue;
         const float sine = std::sqrt(std::max(0.f, 1.f - cosine * cosine)), d = cosHalf2 * (alpha2 - 1.f) + 1.f;
-        const float density = alpha2 / (kPi * d * d) / 4.f; // of the reflected direction: D(h) (n.h) / (4 v.h), and n = v
+        const float density = alpha2 / (kPi * d * d) / 4.f; // of the reflected direction: D(h) (n . h) / (4 v . h), and n = v
         const float texel = 4.f * kPi / (6.f * float(sourceSide) * float(sourceSide));
         const float level = 0.5f * std::log2(1.f / (float(count) * density) / texel) + 0.5f; // half a level of overlap
         samples.push_back({{sine * std::cos(turn), sine * std::sin(turn), cosine}, cosine,

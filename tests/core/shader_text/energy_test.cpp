@@ -39,7 +39,7 @@ vec3 leaning(float cosine, float yaw = 0.f)
 
 constexpr float kRoughnesses[] = {0.05f, 0.1f, 0.2f, 0.3f, 0.45f, 0.6f, 0.8f, 1.f};
 
-// Share that GGX with height-correlated Smith reflects once of light from all around: of a Fresnel term of 1, and of (1 - v.h)^5. The sum
+// Share that GGX with height-correlated Smith reflects once of light from all around: of a Fresnel term of 1, and of (1 - v . h)^5. The sum
 // over half vectors as they are seen (Heitz 2018, Sampling the GGX Distribution of Visible Normals), a lattice of 65536 of them.
 dvec2 integrated(double nv, double roughness)
 {

@@ -25,12 +25,12 @@ struct Surroundings {
 };
 struct Coat : Surroundings {
     float clearcoat = 1.f, clearcoatRoughness = 0.f;
-#include "shaders/shading/coat.glsl"
+#include "shaders/layers/coat.glsl"
 };
 struct Sheen : Surroundings {
     float sheen = 1.f, sheenRoughness = 0.5f;
     vec3 sheenColor = vec3(1.f);
-#include "shaders/shading/sheen.glsl"
+#include "shaders/layers/sheen.glsl"
 };
 
 vec3 eyeAt(float cosine)
