@@ -229,6 +229,20 @@ TEST_F(Web, LeftOutThingsAreTold)
     EXPECT_TRUE(isTold("web-object-shadows"));
 }
 
+// The page has the first light alone, as a directional one: the text is that of a State with no other.
+TEST_F(Web, FurtherLightsAreToldAndLeaveNoTrace)
+{
+    const json plain = data();
+    EXPECT_FALSE(isTold("web-lights"));
+    m_state.parameters.light2Kind = LightKind::Point, m_state.parameters.light2Size = 3.f;
+    const json page = data();
+    EXPECT_TRUE(isTold("web-lights"));
+    EXPECT_EQ(page["sides"][0]["fragment"], plain["sides"][0]["fragment"]);
+    EXPECT_FALSE(page["sides"][0]["uniforms"].contains("lights"));
+    m_state.parameters.lightKind = LightKind::Off;
+    EXPECT_EQ(data()["sides"][0]["uniforms"]["lightIntensity"], 0.) << "dark, as the first light is off";
+}
+
 TEST_F(Web, PartsWithoutReliefStandLast)
 {
     const json whole = data();
