@@ -97,14 +97,16 @@ std::vector<LightHandle> LightHandles::handles() const
     const std::vector<PaneArea> areas = m_viewport.places().areas();
     for (std::size_t pane = 0; pane < std::min(areas.size(), state.panes.size()); ++pane) {
         const Parameters lit = effectiveParameters(state, pane);
+        std::optional<CameraView> view; // framing a large mesh takes its time
         for (std::size_t light = 0; light < kLights.size(); ++light) {
             const bool isWanted = m_isHeld || m_drag || m_isOpen(light);
             if (areas[pane].isEmpty() || !isLit(lit, kLights[light]) || !isWanted)
                 continue;
-            const CameraView view = camera(pane);
-            const LightPlace place = lightPlace(lit, kLights[light], mesh, view);
+            if (!view)
+                view = camera(pane);
+            const LightPlace place = lightPlace(lit, kLights[light], mesh, *view);
             const auto inWindow = [&](glm::vec2 share) { return m_viewport.places().fromPicture(pane, share); };
-            shown.push_back({pane, light, inWindow(place.share), inWindow(middlePlace(mesh, view)), place});
+            shown.push_back({pane, light, inWindow(place.share), inWindow(middlePlace(mesh, *view)), place});
         }
     }
     return shown;
