@@ -8,7 +8,6 @@
 #include "core/image/files/image_file.h"
 #include "core/state/environments.h"
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
@@ -25,7 +24,6 @@ constexpr float kBrightest = 65504.f; // the largest half float
 struct Panorama {
     int width;
     std::vector<glm::vec3> pixels;
-    std::size_t odd; // numbers that no light has
 
     int height() const { return width / 2; }
     const glm::vec3& at(int x, int y) const
@@ -44,12 +42,11 @@ struct Panorama {
 };
 
 // One texel as linear, finite radiance; what is none counts as black, or as the brightest that can be held.
-glm::vec3 radianceAt(const Image& image, int x, int y, std::size_t& odd)
+glm::vec3 radianceAt(const Image& image, int x, int y)
 {
     glm::vec3 c;
     for (int k = 0; k < 3; ++k) {
         const float v = image.value(x, y, image.channels >= 3 ? k : 0);
-        odd += !(v >= 0.f && v <= kBrightest);
         c[k] = std::isnan(v) ? 0.f : std::clamp(image.type == PixelType::F32 ? v : linearOf(v), 0.f, kBrightest);
     }
     return c;
@@ -58,28 +55,35 @@ glm::vec3 radianceAt(const Image& image, int x, int y, std::size_t& odd)
 // Box-reduces (or repeats). Every source texel counts once: a small sun keeps its energy.
 Panorama resampled(const Image& image, int width)
 {
-    Panorama out{width, std::vector<glm::vec3>(std::size_t(width) * std::size_t(width / 2)), 0};
+    Panorama out{width, std::vector<glm::vec3>(std::size_t(width) * std::size_t(width / 2))};
     const auto span = [](int i, int from, int to) {
         const int first = int(std::int64_t(i) * from / to), end = int((std::int64_t(i) + 1) * from / to);
         return std::pair{first, std::max(end, first + 1)};
     };
-    std::atomic<std::size_t> odd = 0;
     tbb::parallel_for(0, out.height(), [&](int row) {
         const auto [top, bottom] = span(row, image.height, out.height());
-        std::size_t oddHere = 0;
         for (int column = 0; column < width; ++column) {
             const auto [left, right] = span(column, image.width, width);
             glm::dvec3 sum(0.0);
             for (int y = top; y < bottom; ++y)
                 for (int x = left; x < right; ++x)
-                    sum += glm::dvec3(radianceAt(image, x, y, oddHere));
+                    sum += glm::dvec3(radianceAt(image, x, y));
             out.pixels[std::size_t(row) * std::size_t(width) + std::size_t(column)]
                 = glm::vec3(sum / double((bottom - top) * (right - left)));
         }
-        odd += oddHere;
     });
-    out.odd = odd;
     return out;
+}
+
+// How many numbers no light has.
+std::size_t oddNumbers(const Image& image)
+{
+    std::size_t odd = 0;
+    for (int y = 0; y < image.height && image.type == PixelType::F32; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int k = 0; k < std::min(image.channels, 3); ++k)
+                odd += !(image.value(x, y, k) >= 0.f && image.value(x, y, k) <= kBrightest);
+    return odd;
 }
 
 // What the shape of a picture that is no panorama may mean.
@@ -92,7 +96,7 @@ std::string_view shapeMeaning(double aspect)
                                      : "";
 }
 
-Warnings doubtsOf(const std::string& name, const Image& image, std::size_t odd)
+Warnings doubtsOf(const std::string& name, const Image& image)
 {
     Warnings doubts;
     const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height);
@@ -106,9 +110,10 @@ Warnings doubtsOf(const std::string& name, const Image& image, std::size_t odd)
     if (image.type != PixelType::F32)
         doubts.push_back({"panorama-dim",
             name + " has no light brighter than white, so that lamps and the sun are too weak. Choose an HDR or EXR file for true light."});
-    if (odd > 0)
+    if (const std::size_t odd = oddNumbers(image); odd > 0)
         doubts.push_back({"panorama-numbers",
-            name + ": " + std::to_string(odd) + " numbers are negative, infinite, above 65504 or none at all; they count as 0 or 65504."});
+            name + ": " + std::to_string(odd)
+                + " of its numbers are negative, infinite, above 65504 or none at all; they count as 0 or 65504."});
     return doubts;
 }
 
@@ -130,7 +135,7 @@ Expected<Environment> openEnvironment(const std::string& nameOrFile, const Progr
     const int side = std::clamp(int(std::bit_ceil(unsigned(image.width / 4))), kLeastEnvironmentSide, kMostEnvironmentSide);
     const Panorama panorama = resampled(image, 4 * side);
     Environment environment{file.stem().string(), prefiltered(cubeOf(side, [&](glm::vec3 towards) { return panorama.from(towards); })),
-        doubtsOf(file.filename().string(), image, panorama.odd)};
+        doubtsOf(file.filename().string(), image)};
     environment.warnings.insert(environment.warnings.begin(), read->warnings.begin(), read->warnings.end());
     return environment;
 }

@@ -146,7 +146,7 @@ std::vector<Cube> prefiltered(Cube sharp)
     const int side = sharp.side, rough = sharpLevels(side);
     std::vector<Cube> levels = {std::move(sharp)};
     for (int level = 1; level < rough; ++level)
-        levels.push_back(reflected(halves, side >> level, roughnessOfLevel(level, side), std::clamp(8 << 2 * level, 64, 2048)));
+        levels.push_back(reflected(halves, side >> level, roughnessOfLevel(level, side), std::clamp(16 << 2 * level, 64, 2048)));
     for (const int last : {kSideOfRough, kSideOfMatt}) // the lobe of roughness 1 is the cosine, seen from above
         levels.push_back(matt(small, last));
     return levels;

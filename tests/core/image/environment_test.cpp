@@ -146,15 +146,14 @@ TEST(Environment, EachBuiltInOneHasAllLevelsAndKeepsItsEnergy)
 
 TEST(Environment, BuiltInOnesAreLitFromAboveAndAllDiffer)
 {
+    std::vector<Cube> mattOnes;
     for (const EnvironmentRow& row : kEnvironments) {
-        const Environment environment = builtInEnvironment(row.key);
-        const SmoothCube matt(environment.levels.back());
+        mattOnes.push_back(builtInEnvironment(row.key).levels.back());
+        const SmoothCube matt(mattOnes.back());
         const bool isGrey = row.key == "grey";
         EXPECT_EQ(brightness(matt.at({0.f, 1.f, 0.f})) > 1.2 * brightness(matt.at({0.f, -1.f, 0.f})), !isGrey) << row.key;
-        for (const EnvironmentRow& other : kEnvironments) {
-            const Cube& sharp = builtInEnvironment(other.key).levels.front();
-            EXPECT_EQ(sharp.texels == environment.levels.front().texels, other.key == row.key) << row.key << ' ' << other.key;
-        }
+        for (std::size_t i = 0; i + 1 < mattOnes.size(); ++i)
+            EXPECT_NE(mattOnes[i].texels, mattOnes.back().texels) << row.key << ' ' << kEnvironments[i].key;
     }
 }
 
@@ -227,7 +226,7 @@ TEST(Environment, PrefilteringIsNearTheIntegral)
         const Environment environment = builtInEnvironment(row.key);
         Text text{{&environment}};
         const Cube source = halved(environment.levels.front());
-        for (const auto& [roughness, allowed] : {std::pair{0.3, 0.08}, {0.5, 0.05}, {0.75, 0.05}, {1., 0.03}, {0., 0.02}}) {
+        for (const auto& [roughness, allowed] : {std::pair{0.3, 0.15}, {0.5, 0.08}, {0.75, 0.1}, {1., 0.01}, {0., 0.015}}) {
             double sum = 0.;
             for (const glm::dvec3& n : someDirections()) {
                 const Text::vec3 towards{glm::vec3(n)};
@@ -308,8 +307,8 @@ TEST_F(PanoramaFiles, OddOnesAreToldAndStayFinite)
         {Case{96, 16, {}, {"panorama-shape"}, "six faces of a cube"}, {16, 96, {}, {"panorama-shape"}, "six faces of a cube"},
             {64, 48, {}, {"panorama-shape"}, "cross"}, {48, 64, {}, {"panorama-shape"}, "cross"},
             {64, 64, {}, {"panorama-shape"}, "fish-eye"}, {90, 20, {}, {"panorama-shape"}, "twice as wide"},
-            {1, 1, {}, {"panorama-tiny"}, "1 x 1"}, {64, 32, {kNan, kInf, -kInf, -3.f}, {"panorama-numbers"}, "4 numbers"},
-            {64, 32, {65504.f}, {}, ""}, {64, 32, {1e9f}, {"panorama-numbers"}, "1 numbers"}}) {
+            {1, 1, {}, {"panorama-tiny"}, "1 x 1"}, {64, 32, {kNan, kInf, -kInf, -3.f}, {"panorama-numbers"}, " 4 of its numbers"},
+            {64, 32, {65504.f}, {}, ""}, {64, 32, {1e9f}, {"panorama-numbers"}, " 1 of its numbers"}}) {
         const auto sky = opened(c.width, c.height, 1.f, c.odd);
         ASSERT_TRUE(sky) << message(sky.error());
         EXPECT_EQ(codesOf(*sky), c.codes) << c.width << ' ' << c.height;
