@@ -142,7 +142,7 @@ void runAction(MainWindow& window, Action action, bool on)
         return window.loupe().setOn(on);
     case Action::Frame:
     case Action::ResetCamera:
-        return moveCamera(window, framed(action == Action::Frame ? cameraOf(document.state(), activePane(window)) : Camera{}));
+        return moveCamera(window, framed(action == Action::Frame ? cameraOf(window.document().state(), activePane(window)) : Camera{}));
     case Action::TurnLights:
         return window.turning().turnLights(on);
     case Action::Turntable:

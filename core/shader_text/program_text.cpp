@@ -65,6 +65,11 @@ void variantFiles(Assembly& part, const ProgramFeatures& features, ShaderPlace p
             part.file(shader.files[features.variants[i]]);
 }
 
+bool isThesis(const ProgramFeatures& features)
+{
+    return features.variant(&Parameters::shading) == std::size_t(Shading::Thesis);
+}
+
 // What lies over the shading model: nothing, or all layers, of which those that are off do nothing.
 void layerFiles(Assembly& part, const ProgramFeatures& features)
 {
@@ -119,7 +124,7 @@ void viewRayFiles(Assembly& part, const ViewRow& view, const ProgramFeatures& fe
         part.file("view_ray/view_ray_straight.glsl");
     if (isCompared)
         part.file(features.prisms ? "exact/exact_prisms.glsl" : "exact/exact_ray.glsl");
-    const bool seesThrough = view.light == ViewLight::All && features.variant(&Parameters::shading) == std::size_t(Shading::Thesis);
+    const bool seesThrough = view.light == ViewLight::All && isThesis(features);
     part.file(view.showsHoles ? "view_ray/holes_shown.glsl"
             : isCompared      ? "view_ray/holes_exact.glsl"
             : seesThrough     ? "view_ray/holes_outline.glsl"
@@ -165,6 +170,8 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         if (view->light == ViewLight::All) {
             part.file(features.exported && !features.panorama ? "shading/ambient.glsl" : "shading/environment.glsl");
             variantFiles(part, features, ShaderPlace::Light);
+            if (!isThesis(features))
+                part.file("shading/own_light.glsl");
             layerFiles(part, features);
             part.file(features.severalLights ? "shading/lights_several.glsl" : "shading/lights_one.glsl").file("shading/shade.glsl");
         }

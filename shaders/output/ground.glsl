@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: MIT
 in vec3 position;
 layout(location = 0) out vec4 fragment;
+const int kDirectional = 1; // of the first light's kind: only such a one has a shadow map
 
 // Share of the light's rays that pass the mesh: samples of the shadow map on a spiral as wide as the light's penumbra may be there.
 float lightPassingMesh()
@@ -37,7 +38,7 @@ float surroundingsPassingMesh()
 void main()
 {
     vec3 around = irradiance(vec3(0.0f, 1.0f, 0.0f)) * environmentIntensity;
-    float lightReceived = lightIntensity * max(lightDirection.y, 0.0f);
+    float lightReceived = lightKind == kDirectional ? lightIntensity * max(lightDirection.y, 0.0f) : 0.0f;
     float surroundings = dot(around, vec3(0.2126f, 0.7152f, 0.0722f));
     float whole = lightReceived * dot(lightColor, vec3(0.2126f, 0.7152f, 0.0722f)) + surroundings;
     float kept = (surroundings * surroundingsPassingMesh() + (whole - surroundings) * lightPassingMesh()) / max(whole, 1e-6f);

@@ -15,12 +15,6 @@ ShadingPoint shadingPointOf(Surface surface)
         reliefNormal(surface), surface.toEye, colorAt(uv, surface.footprint) * tint, specularAt(uv, surface.footprint) * specular);
 }
 
-// Of the surface's own light.
-float emittedShare(ShadingPoint point)
-{
-    return 1.0f;
-}
-
 // What is reflected of a light whose irradiance over pi is 1, as a share.
 vec3 reflected(ShadingPoint point, vec3 toLight)
 {

@@ -56,12 +56,6 @@ ShadingPoint shadingPointOf(Surface surface)
     return ShadingPoint(n, surface.toEye, nv, rough, mix(vec3(plainF0), base, metal), once, again, diffuse);
 }
 
-// Of the surface's own light.
-float emittedShare(ShadingPoint point)
-{
-    return 1.0f;
-}
-
 // What is reflected of a light whose irradiance over pi is 1, as a share.
 vec3 reflected(ShadingPoint point, vec3 toLight)
 {

@@ -78,7 +78,7 @@ TEST(Layers, SheenTakesFromTheBodyWhatItReflects)
             cloth.sheenRoughness = rough;
             const ShadingPoint point{{0.f, 0.f, 1.f}, eyeAt(cosine), cosine};
             const double reflected = albedo([&](vec3 toLight) { return cloth.sheenReflected(point, toLight).x; });
-            EXPECT_NEAR(double(cloth.sheenAlbedo(cosine)), reflected, 0.04) << rough << ' ' << cosine;
-            EXPECT_LE(double(cloth.belowSheen(point, 1.f)) + reflected, 1.05) << rough << ' ' << cosine;
+            EXPECT_NEAR(double(cloth.sheenAlbedo(cosine)), reflected, 0.03) << rough << ' ' << cosine;
+            EXPECT_LE(double(cloth.belowSheen(point, 1.f)) + reflected, 1.03) << rough << ' ' << cosine;
         }
 }

@@ -7,7 +7,7 @@
 #include "core/state/techniques.h"
 #include "core/trace/displaced_mesh.h"
 #include "core/trace/reference.h"
-#include "mesh_support.h"
+#include "tests/render/mesh_support.h"
 #include <array>
 #include <cstring>
 #include <glm/glm.hpp>
