@@ -10,6 +10,7 @@
 namespace relievo {
 namespace {
 constexpr int kSegmentPadding = 10; // px, left and right of a text
+constexpr int kIconWidth = 28, kRowOfIcons = 224; // px; many icons move together, so that a panel holds them
 } // namespace
 
 Segmented::Segmented(const QVector<Item>& items, QWidget* parent) : QWidget(parent), m_items(items)
@@ -36,7 +37,8 @@ void Segmented::setCurrent(int index)
 int Segmented::width(int index) const
 {
     const Item& item = m_items[index];
-    return item.icon.isNull() ? fontMetrics().horizontalAdvance(item.text) + 2 * kSegmentPadding : 28;
+    return item.icon.isNull() ? fontMetrics().horizontalAdvance(item.text) + 2 * kSegmentPadding
+                              : std::min(kIconWidth, kRowOfIcons / std::max(count(), 1));
 }
 
 QSize Segmented::sizeHint() const
