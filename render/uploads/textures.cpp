@@ -34,19 +34,20 @@ struct Format {
     GLenum layout, type;
 };
 
-Format formatOf(const Image& image, bool isColor)
+Format formatOf(const Image& image, bool isColor, bool finely)
 {
     constexpr GLenum layouts[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
     const std::size_t channels = std::size_t(image.channels - 1);
     const GLenum layout = layouts[channels];
+    constexpr GLint sixteen[] = {GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
+    if (image.type == PixelType::U8 && finely)
+        return {sixteen[channels], layout, GL_UNSIGNED_BYTE};
     if (image.type == PixelType::U8) {
         constexpr GLint linear[] = {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
         return {isColor && channels >= 2 ? (channels == 3 ? GL_SRGB8_ALPHA8 : GL_SRGB8) : linear[channels], layout, GL_UNSIGNED_BYTE};
     }
-    if (image.type == PixelType::U16 && !isColor) {
-        constexpr GLint linear[] = {GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
-        return {linear[channels], layout, GL_UNSIGNED_SHORT};
-    }
+    if (image.type == PixelType::U16 && !isColor)
+        return {sixteen[channels], layout, GL_UNSIGNED_SHORT};
     constexpr GLint floats[] = {GL_R16F, GL_RG16F, GL_RGB16F, GL_RGBA16F};
     return {floats[channels], layout, GL_FLOAT};
 }
@@ -68,12 +69,12 @@ std::vector<std::uint16_t> decoded(const Image& image)
 
 } // namespace
 
-Texture uploadImage(const Image& image, bool isColor)
+Texture uploadImage(const Image& image, bool isColor, bool finely)
 {
     Texture texture = newTexture();
     glBindTexture(GL_TEXTURE_2D, *texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    const Format format = formatOf(image, isColor);
+    const Format format = formatOf(image, isColor, finely);
     const auto load = [&](GLenum type, const void* data) {
         glTexImage2D(GL_TEXTURE_2D, 0, format.internal, image.width, image.height, 0, format.layout, type, data);
     };
@@ -141,7 +142,7 @@ AccelerationUpload uploadAccelerationMap(const AccelerationMap& map, Wrap wrap)
     const int levels = upload.target == GL_TEXTURE_3D ? 1 : int(map.levels.size());
     for (int i = 0; i < levels; ++i) {
         const Image& image = map.levels[std::size_t(i)];
-        const Format format = map.form == MapForm::Codes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false);
+        const Format format = map.form == MapForm::Codes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false, false);
         if (upload.target == GL_TEXTURE_3D)
             glTexImage3D(GL_TEXTURE_3D, 0, format.internal, image.width, image.height / map.slices, map.slices, 0, format.layout,
                 format.type, image.data.data());

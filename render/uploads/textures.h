@@ -15,7 +15,8 @@
 namespace relievo {
 
 // A map of a material with mip levels; isColor: sRGB, decoded by the texture unit.
-Texture uploadImage(const Image& image, bool isColor);
+// finely: mip levels in 16 bits, of 8-bit images too, whose rounding grows from level to level.
+Texture uploadImage(const Image& image, bool isColor, bool finely = false);
 
 // A height field as a texture with linear filtering and mip levels: R16 when its source had at most 16 bits (exact, and not
 // filtered in 8-bit fixed point as R8 is on some rasterisers), R32F else.

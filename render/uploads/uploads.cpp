@@ -43,7 +43,8 @@ const Uploads::Map& Uploads::map(MapKind kind)
             m_uploadedMaps[i] = material.height->identity();
         }
     } else if (const auto& image = material.maps[i]; image && m_uploadedMaps[i] != image) {
-        map = {uploadImage(*image, row(kind).isColor), std::log2(float(std::max(image->width, image->height)))};
+        map = {uploadImage(*image, row(kind).isColor, kind == MapKind::Normal && m_normalsFinely),
+            std::log2(float(std::max(image->width, image->height)))};
         m_uploadedMaps[i] = image;
     }
     return map;
@@ -88,6 +89,10 @@ void Uploads::bindMaps(
     const LinkedProgram& program, const Parameters& parameters, const std::shared_ptr<const AccelerationMap>& acceleration)
 {
     const Wrap wrap = parameters.wrap;
+    if (parameters.normalFiltering != NormalFiltering::Off && !m_normalsFinely) {
+        m_normalsFinely = true;
+        m_uploadedMaps[std::size_t(MapKind::Normal)] = nullptr;
+    }
     int unit = 0;
     for (const MapKindRow& row : kMapKinds)
         if (const std::string sampler = std::string(row.key) + "Map"; program.reads(sampler.c_str())) {

@@ -44,6 +44,7 @@ private:
     Resources m_resources;
     std::array<std::shared_ptr<const void>, kMapKindCount> m_uploadedMaps; // whose pixels lie in m_maps
     std::array<Map, kMapKindCount> m_maps;
+    bool m_normalsFinely = false; // since they were filtered for the first time
     struct Exact {
         std::shared_ptr<const ExactDistances> distances;
         Texture texture;

@@ -1,14 +1,18 @@
 // A shaded relief frame against the bare search with the same steps, and each technique's frame against flat: ratios of one run,
-// interleaved, median of 9, by the clock between glFinish calls.
+// interleaved, median of 9, by the clock between glFinish calls. Then what each switch of light, layers and camera costs.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/source.h"
 #include "core/state/techniques.h"
 #include "render/windowless.h"
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <epoxy/gl.h>
+#include <sstream>
+#include <string>
+#include <utility>
 
 using namespace relievo;
 
@@ -25,6 +29,15 @@ struct Case {
         return milliseconds[milliseconds.size() / 2];
     }
 };
+
+// Settings of a relief frame with self-shadows, each with what it is compared by.
+constexpr std::array<std::pair<const char*, const char*>, 20> kSwitches = {{{"plain", ""}, {"thesis shading", "shading=thesis"},
+    {"clear coat", "clearcoat=1"}, {"sheen", "sheen=1"}, {"transmission", "transmission=0.5"}, {"soft shadow", "lightSize=2"},
+    {"second light, shadow", "light2Kind=directional"}, {"second light, none", "light2Kind=directional light2Shadows=false"},
+    {"floor", "ground=true"}, {"floor, reflection", "ground=true groundReflection=0.5"}, {"shadows between objects", "objectShadows=true"},
+    {"environment behind", "background=environment"}, {"tone curve agx", "toneCurve=agx"}, {"tone curve aces", "toneCurve=aces"},
+    {"tone curve none", "toneCurve=none"}, {"vignette", "vignette=1"}, {"metered", "autoExposure=true"},
+    {"white balance", "whiteBalance=4000"}, {"nearest texels", "textureFilter=false"}, {"no mip mapping", "mipMapping=false"}}};
 
 double frame(Renderer& renderer, const Case& measured, const Resources& resources, const Target& target)
 {
@@ -77,4 +90,20 @@ int main()
         state.parameters.refineSteps, reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     for (Case& measured : cases)
         std::printf("%-30s %7.2f ms  %5.2f x the search alone\n", measured.name, measured.median(), measured.median() / search);
+    std::vector<Case> switched;
+    for (const auto& [name, settings] : kSwitches) {
+        switched.push_back({name, with("relief", true, Shading::MetallicRoughness), "shaded"});
+        std::istringstream words(settings);
+        for (std::string word; words >> word;)
+            if (const auto set = setParameter(switched.back().state, word); !set)
+                return std::fprintf(stderr, "%s\n", message(set.error()).c_str()), 1;
+    }
+    for (int round = 0; round < 11; ++round)
+        for (Case& measured : switched)
+            if (const double ms = frame(renderer, measured, *resources, target); round >= 2)
+                measured.milliseconds.push_back(ms);
+    const double plain = switched.front().median();
+    std::printf("each switch, relief with self-shadows\n");
+    for (Case& measured : switched)
+        std::printf("%-30s %7.2f ms  %5.2f x plain\n", measured.name, measured.median(), measured.median() / plain);
 }
