@@ -45,7 +45,7 @@ inline constexpr auto kPresets = std::to_array<PresetRow>({
         R"({"relievo":1,"mesh":"character","parameters":{"depth":0.06,"silhouettes":"prisms","depthOfHit":true,"shadows":true,"background":"gradient","ground":true},"camera":{"yaw":30,"pitch":10,"fov":35},"panes":[{"technique":"relief"}]})",
         "A figure that walks, with relief on its bending limbs. Play it under the picture."},
     {"tea-hour", "Tea hour", "cobblestones",
-        R"({"relievo":1,"mesh":"room","parameters":{"depth":0.08,"tiling":0.6,"depthOfHit":true,"shadows":true,"objectShadows":true,"shadowMapSize":2048,"lightYaw":35,"lightPitch":38,"environmentIntensity":0.3,"background":"gradient"},"camera":{"yaw":40,"pitch":14,"fov":35,"distance":1.75,"target":[-0.03,-0.1,0]},"panes":[{"technique":"relief"}]})",
+        R"({"relievo":1,"mesh":"room","parameters":{"depth":0.046,"tiling":0.6,"depthOfHit":true,"shadows":true,"objectShadows":true,"shadowMapSize":2048,"lightYaw":35,"lightPitch":38,"environmentIntensity":0.3,"background":"gradient"},"camera":{"yaw":40,"pitch":14,"fov":35,"distance":1.75,"target":[-0.03,-0.1,0]},"panes":[{"technique":"relief"}]})",
         "A room with a table, a pot and a guest, all in stones, as figure 2 of Policarpo, Oliveira and Comba 2005."},
     {"four-ways", "Four ways", "bricks",
         R"({"relievo":1,"mesh":"sphere","parameters":{"depth":0.06,"tiling":1,"lightYaw":-55,"lightPitch":35,"background":"gradient","ground":true},"camera":{"yaw":20,"pitch":15,"fov":35,"fill":0.8},"panes":[{"technique":"bump","overrides":{"shadows":false}},{"technique":"parallax","overrides":{"shadows":false}},{"technique":"relief","overrides":{"shadows":false}},{"technique":"relief","overrides":{"shadows":true}}]})",

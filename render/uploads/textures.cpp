@@ -142,7 +142,8 @@ AccelerationUpload uploadAccelerationMap(const AccelerationMap& map, Wrap wrap)
     const int levels = upload.target == GL_TEXTURE_3D ? 1 : int(map.levels.size());
     for (int i = 0; i < levels; ++i) {
         const Image& image = map.levels[std::size_t(i)];
-        const Format format = map.form == MapForm::Codes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false, false);
+        const Format format
+            = map.form == MapForm::Codes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false, false);
         if (upload.target == GL_TEXTURE_3D)
             glTexImage3D(GL_TEXTURE_3D, 0, format.internal, image.width, image.height / map.slices, map.slices, 0, format.layout,
                 format.type, image.data.data());

@@ -6,13 +6,16 @@
 #include "app/window/widgets/theme.h"
 #include <QDesktopServices>
 #include <QDialog>
+#include <QFile>
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QPointer>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextCursor>
 #include <QTextList>
 #include <QTextTable>
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -22,10 +25,10 @@ struct PageRow {
     std::string_view file, title;
 };
 constexpr auto kPages = std::to_array<PageRow>({
-    {"lights.md", "Lights"},
     {"comparing.md", "Comparing techniques"},
-    {"light.md", "Light and surroundings"},
     {"deciding.md", "Deciding on a technique"},
+    {"lights.md", "Lights"},
+    {"light.md", "Surroundings and floor"},
     {"camera.md", "Camera and picture"},
     {"optics.md", "Coat, cloth, glass"},
     {"targets.md", "Export targets"},
@@ -67,22 +70,37 @@ void giveRoom(QTextDocument& page, const QPalette& palette)
         }
 }
 
-void open(QTextBrowser& text, const QUrl& page)
+// Made apart from the browser, which would lay it out anew for every row of every table.
+void open(QTextBrowser& text, QListWidget& pages, const QUrl& url)
 {
-    text.setSource(page, QTextDocument::MarkdownResource);
-    giveRoom(*text.document(), text.palette());
+    QFile file(':' + url.path());
+    const auto row = std::ranges::find(kPages, url, urlOf);
+    if (row == kPages.end() || !file.open(QIODevice::ReadOnly))
+        return;
+    auto* page = new QTextDocument(&text);
+    page->setBaseUrl(url);
+    page->setDefaultFont(text.font());
+    page->setDocumentMargin(4 * kGrid);
+    page->setMarkdown(QString::fromUtf8(file.readAll()));
+    giveRoom(*page, text.palette());
+    const QPointer<QTextDocument> before = text.document();
+    text.setDocument(page);
+    if (before) // the browser's own is gone by now
+        before->deleteLater();
+    const QSignalBlocker still(&pages);
+    pages.setCurrentRow(int(row - kPages.begin()));
 }
 
 // A page of the manual here, anything else where the system opens it.
-void follow(QTextBrowser& text, const QUrl& link)
+void follow(QTextBrowser& text, QListWidget& pages, const QUrl& link)
 {
-    const QUrl url = text.source().resolved(link);
-    if (url.scheme() == "qrc" && url.path().endsWith(".md"))
-        open(text, url);
-    else if (url.scheme() == "qrc" && url.hasFragment())
+    const QUrl here = text.document()->baseUrl(), url = here.resolved(link);
+    if (url.scheme() != "qrc")
+        return void(QDesktopServices::openUrl(url));
+    if (url.path() != here.path())
+        open(text, pages, url.adjusted(QUrl::RemoveFragment));
+    if (url.hasFragment())
         text.scrollToAnchor(url.fragment());
-    else if (url.scheme() != "qrc")
-        QDesktopServices::openUrl(url);
 }
 } // namespace
 
@@ -103,18 +121,12 @@ void showManual(QWidget* parent)
     auto* text = new QTextBrowser;
     text->setOpenLinks(false);
     text->setAccessibleName(QObject::tr("Page"));
-    text->document()->setDocumentMargin(4 * kGrid);
     pages->setStyleSheet(QString("QListWidget::item { padding: %1px %2px; }").arg(kGrid).arg(2 * kGrid));
     for (const PageRow& row : kPages)
         pages->addItem(qt(row.title));
-    QObject::connect(pages, &QListWidget::currentRowChanged, text, [text](int index) { open(*text, urlOf(kPages[std::size_t(index)])); });
-    QObject::connect(text, &QTextBrowser::anchorClicked, text, [text](const QUrl& link) { follow(*text, link); });
-    QObject::connect(text, &QTextBrowser::sourceChanged, pages, [pages](const QUrl& url) {
-        const QSignalBlocker still(pages);
-        for (std::size_t i = 0; i < kPages.size(); ++i)
-            if (urlOf(kPages[i]).path() == url.path())
-                pages->setCurrentRow(int(i));
-    });
+    const auto openRow = [text, pages](int index) { open(*text, *pages, urlOf(kPages[std::size_t(index)])); };
+    QObject::connect(pages, &QListWidget::currentRowChanged, text, openRow);
+    QObject::connect(text, &QTextBrowser::anchorClicked, text, [text, pages](const QUrl& link) { follow(*text, *pages, link); });
     pages->setCurrentRow(0);
     auto* line = new QHBoxLayout(dialog);
     line->addWidget(pages);

@@ -24,7 +24,7 @@ protected:
     void saveProject()
     {
         write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nusemtl wood\nf 1/1/1 2/2/1 3/3/1\n");
-        write("sky.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n" + QByteArray(4 * 8 * 4, char(128)));
+        write("sky.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\n" + QByteArray(64 * 128 * 4, char(128)));
         window.maps().setMesh(file("one.obj"));
         window.maps().setEnvironment(file("sky.hdr"));
         settle();
@@ -106,7 +106,7 @@ TEST_F(MissingTest, AnotherMeshIsAStepAndCures)
     openProject();
     window.maps().setMesh("torus");
     settle();
-    EXPECT_TRUE(window.messages().all().isEmpty());
+    EXPECT_TRUE(window.messages().all().isEmpty()) << window.messageLine().text().toStdString();
     EXPECT_EQ(steps(), 1);
     window.action("undo")->trigger();
     settle();
