@@ -51,7 +51,9 @@ protected:
     }
     bool measured()
     {
-        return waitFor([&] { return !speed().sweep().busy() && !points().empty(); }, kLong);
+        const bool done = waitFor([&] { return !speed().sweep().busy() && !points().empty(); }, kLong);
+        QCoreApplication::processEvents(); // the plot is drawn when it is next idle: points lie elsewhere then
+        return done;
     }
     // Of one with a few steps.
     double steepError(double HitErrors::*error)
