@@ -38,10 +38,8 @@ QString viewText(const State& state, std::size_t pane)
 QString costText(const Measurement& measured, const ViewRow* view)
 {
     QString text = QObject::tr("%1 fetches/px").arg(measured.meanFetches, 0, 'f', 1);
-    if (measured.ms > 0.)
-        text += QObject::tr("   %1 ms").arg(measured.ms, 0, 'f', measured.ms < 9.95 ? 1 : 0);
-    if (!measured.shown || !view || !view->isAgainstExact)
-        return text;
+    if (!measured.shown || !view || !view->isAgainstExact) // these have no room for the time
+        return measured.ms > 0. ? text + QObject::tr("   %1 ms").arg(measured.ms, 0, 'f', measured.ms < 9.95 ? 1 : 0) : text;
     const ErrorNumbers& error = measured.shown->error;
     const bool isShare = view->unit == "depth"; // of the depth, else texels or pixels
     text += QObject::tr("   RMSE %1, %2 % wrong").arg(error.rmse, 0, 'f', isShare ? 4 : 2).arg(100. * error.wrong, 0, 'f', 1);

@@ -72,6 +72,7 @@ TEST_F(WalkTest, FromASetToAnExportedChoice)
     auto captions = window.viewport().findChildren<PaneCaption*>();
     ASSERT_GE(captions.size(), 4);
     EXPECT_TRUE(captions[0]->accessibleName().contains("fetches/px"));
+    EXPECT_TRUE(captions[0]->accessibleName().contains(" ms")) << captions[0]->accessibleName().toStdString();
     EXPECT_TRUE(captions[3]->accessibleName().contains("RMSE"));
     EXPECT_FALSE(captions[0]->accessibleName().contains("RMSE"));
 
