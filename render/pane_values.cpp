@@ -16,7 +16,9 @@ Parameters drawnParameters(const State& state, std::size_t pane, const Technique
 ProgramFeatures intoShadowMap(ProgramFeatures features, const TechniqueRow& technique)
 {
     features.view = knownView("depth").key;
-    features.setVariant(&Parameters::shading, 0);
+    for (const ParameterRow& row : kParameters) // nothing is lit or shown
+        if (row.shader.place != ShaderPlace::Surface)
+            features.setVariant(row.member, 0);
     features.shadows = features.softShadows = features.severalLights = features.objectShadows = false;
     features.setVariant(&Parameters::edgeFade, 0); // by the eye's view, not the light's
     features.setVariant(&Parameters::depthOfHit, technique.displaces ? 1 : 0);
@@ -31,6 +33,7 @@ ProgramFeatures withoutRelief(ProgramFeatures features)
         = false;
     features.setVariant(&Parameters::depthOfHit, 0);
     features.setVariant(&Parameters::edgeFade, 0);
+    features.setVariant(&Parameters::normalFiltering, 0); // there is no normal map
     return features;
 }
 

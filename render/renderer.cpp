@@ -69,10 +69,11 @@ Expected<float> Renderer::meteredExposure(const DrawRequest& request)
     const Target& target = request.target();
     if (!view || !view->isColor || view->light == ViewLight::None || target.linear || request.pane() >= request.state().panes.size())
         return 1.f;
-    State state = request.state();
-    state.parameters = effectiveParameters(state, request.pane());
-    if (!state.parameters.autoExposure)
+    const Parameters parameters = effectiveParameters(request.state(), request.pane());
+    if (!parameters.autoExposure)
         return 1.f;
+    State state = request.state();
+    state.parameters = parameters;
     state.panes[request.pane()].overrides.clear();
     state.parameters.background = Backdrop::Transparent;
     state.parameters.wireframe = state.parameters.ground = false;

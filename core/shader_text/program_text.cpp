@@ -313,7 +313,7 @@ ProgramFeatures exportedForLoaders(const Parameters& parameters, const Technique
 {
     EnumSet<MapKind> packed;
     for (const MapKindRow& row : kMapKinds)
-        if (maps.contains(row.kind) && row.kind != MapKind::Specular) // which engines' materials do not have
+        if (maps.contains(row.kind) && row.kind != MapKind::Specular && row.kind != MapKind::Optics) // which engines' materials do not have
             packed.insert(row.kind);
     ProgramFeatures features = exportedFeatures(parameters, technique, packed, Dialect::Es);
     features.planes = true;

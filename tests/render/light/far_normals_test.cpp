@@ -41,6 +41,22 @@ double mean(const Image& image)
 }
 } // namespace
 
+// Parts without relief have no normal map to filter.
+TEST(FarNormals, PlainPartsAreDrawnToo)
+{
+    const auto context = WindowlessContext::create();
+    ASSERT_TRUE(context);
+    Renderer renderer;
+    State state = stateOn("spheres", "bump");
+    Resources resources = resourcesOf(state);
+    resources.material = wavyMetal(*resources.material, 0.5f);
+    for (const NormalFiltering how : {NormalFiltering::Toksvig, NormalFiltering::Variance}) {
+        state.parameters.normalFiltering = how;
+        const auto drawn = drawPicture(renderer, state, 0, resources, "shaded", 32, 24, 1, false);
+        EXPECT_TRUE(drawn) << message(drawn.error());
+    }
+}
+
 TEST(FarNormals, FilteredOnesKeepTheBrightness)
 {
     const auto context = WindowlessContext::create();
