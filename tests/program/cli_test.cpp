@@ -233,6 +233,10 @@ TEST(Cli, AllScenesMakeAGallery)
         }
     EXPECT_EQ(told["files"].size(), scenes);
     EXPECT_GT(scenes, 0u);
+    const std::string first = out + "/teapot-cobbles.png", before = *relievo::readText(first);
+    EXPECT_EQ(runRelievo("render --all-scenes --size 24x18 --environment " + first + " -o " + out).exitCode, 1)
+        << "it would replace what it reads";
+    EXPECT_EQ(*relievo::readText(first), before);
     EXPECT_EQ(runRelievo("render sample:bricks --all-scenes -o " + out).exitCode, 2);
     EXPECT_EQ(runRelievo("render --all-scenes --frames 3 -o " + out).exitCode, 2);
 }

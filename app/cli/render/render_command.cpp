@@ -134,16 +134,23 @@ struct Rendered {
     Warnings warnings;
 };
 
+Result<void> keepWhatWasRead(const RenderOptions& options, const State& state, const fs::path& out)
+{
+    std::vector<fs::path> read = options.state.filesRead(), named = filesOf(state);
+    read.insert(read.end(), named.begin(), named.end());
+    if (const auto kept = refuseToReplace(read, out); !kept)
+        return problem(kept.error());
+    return {};
+}
+
 // A picture of the sequence, or the one that there is.
 Result<void> drawFrame(
     const RenderOptions& options, Renderer& renderer, const State& state, Scene& scene, int frame, Rendered& done, const Progress& progress)
 {
     const Turn turn = options.lightTurn ? Turn::Light : Turn::Camera;
     const fs::path out = options.frames > 0 ? numbered(options.out, frame + 1) : fs::path(options.out);
-    std::vector<fs::path> read = options.state.filesRead(), named = filesOf(state);
-    read.insert(read.end(), named.begin(), named.end());
-    if (const auto kept = refuseToReplace(read, out); !kept)
-        return problem(kept.error());
+    if (auto kept = keepWhatWasRead(options, state, out); !kept)
+        return kept;
     auto layers
         = drawn(options, renderer, options.frames > 0 ? turned(state, turn, float(frame) / float(options.frames)) : state, scene, progress);
     if (!layers)
@@ -201,7 +208,7 @@ Result<Image> drawnPanes(const RenderOptions& options, Renderer& renderer, Scene
 }
 
 // A scene of the gallery.
-Result<Warnings> renderScene(RenderOptions options, const PresetRow& row, const fs::path& out, const Progress& progress)
+Result<Warnings> renderScene(RenderOptions options, Renderer& renderer, const PresetRow& row, const fs::path& out, const Progress& progress)
 {
     options.state.source = "scene:" + std::string(row.key);
     options.out = out.string();
@@ -210,10 +217,8 @@ Result<Warnings> renderScene(RenderOptions options, const PresetRow& row, const 
     auto scene = openScene(options.state, progress.part(0.f, 0.5f));
     if (!scene)
         return tl::unexpected(scene.error());
-    auto context = WindowlessContext::create();
-    if (!context)
-        return problem(context.error());
-    Renderer renderer;
+    if (const auto kept = keepWhatWasRead(options, scene->state, out); !kept)
+        return tl::unexpected(kept.error());
     auto picture = drawnPanes(options, renderer, *scene, progress.part(0.5f, 1.f));
     if (!picture)
         return tl::unexpected(picture.error());
@@ -231,13 +236,17 @@ Result<Rendered> renderGallery(const RenderOptions& options, const Progress& pro
     fs::create_directories(options.out, code);
     if (!fs::is_directory(options.out, code))
         return problem({"the folder cannot be made", options.out, "Choose a folder that you may write to", ErrorCode::NotWritable});
+    auto context = WindowlessContext::create();
+    if (!context)
+        return problem(context.error());
+    Renderer renderer;
     Rendered all;
     for (std::size_t i = 0; i < kPresets.size(); ++i) {
         if (kPresets[i].sample.empty())
             continue;
         const fs::path out = fs::path(options.out) / (std::string(kPresets[i].key) + ".png");
         const auto told = renderScene(
-            options, kPresets[i], out, progress.part(float(i) / float(kPresets.size()), float(i + 1) / float(kPresets.size())));
+            options, renderer, kPresets[i], out, progress.part(float(i) / float(kPresets.size()), float(i + 1) / float(kPresets.size())));
         if (!told)
             return tl::unexpected(told.error());
         all.files.push_back(out);
