@@ -102,7 +102,8 @@ Expected<Frame> prepareFrame(DrawContext& context, const DrawRequest& request)
         .technique = *technique,
         .view = *view,
         .parameters = drawnParameters(state, request.pane(), *technique, *view),
-        .acceleration = nullptr};
+        .acceleration = nullptr,
+        .horizons = nullptr};
     const EnumSet<MapKind> maps = presentMaps(*resources.material);
     if ((technique->needsHeights() || view->isAgainstExact) && !maps.contains(MapKind::Height))
         return failure(state.name,
@@ -112,6 +113,10 @@ Expected<Frame> prepareFrame(DrawContext& context, const DrawRequest& request)
     if (!acceleration)
         return tl::unexpected(acceleration.error());
     frame.acceleration = std::move(*acceleration);
+    auto horizons = resources.accelerationMaps.horizonsOf(*technique, frame.parameters, *resources.material);
+    if (!horizons)
+        return tl::unexpected(horizons.error());
+    frame.horizons = std::move(*horizons);
     if (const auto fits = fitTheDriver(*resources.material, *resources.mesh); !fits)
         return tl::unexpected(fits.error());
 
@@ -133,7 +138,7 @@ void useProgram(DrawContext& context, const Frame& frame, const LinkedProgram& p
     program.use();
     program.set(frame.parameters);
     program.set(uniforms);
-    context.uploads.bindMaps(program, frame.parameters, frame.acceleration);
+    context.uploads.bindMaps(program, frame.parameters, frame.acceleration, frame.horizons);
     context.uploads.bindExact(program, frame.request.pane(), frame.request.exact());
     context.mesh.bind(program, frame.parameters, frame.request.state().part, frame.curvature);
     if (program.reads("shadowMap"))

@@ -39,6 +39,7 @@ struct Frame {
     ProgramFeatures features = {};
     SceneUniforms uniforms = {};
     std::shared_ptr<const AccelerationMap> acceleration; // null for techniques without
+    std::shared_ptr<const AccelerationMap> horizons; // null where nothing reads them
     Silhouettes curvature = Silhouettes::Off; // that the vertices carry
     bool fewerTriangles = false;
     std::optional<Error> error = {}; // of a shader that does not link, told after drawing

@@ -19,7 +19,7 @@ ProgramFeatures intoShadowMap(ProgramFeatures features, const TechniqueRow& tech
     for (const ParameterRow& row : kParameters) // nothing is lit or shown
         if (row.shader.place != ShaderPlace::Surface)
             features.setVariant(row.member, 0);
-    features.shadows = features.softShadows = features.severalLights = features.objectShadows = false;
+    features.shadows = features.softShadows = features.horizonShadows = features.severalLights = features.objectShadows = false;
     features.setVariant(&Parameters::edgeFade, 0); // by the eye's view, not the light's
     features.setVariant(&Parameters::depthOfHit, technique.displaces ? 1 : 0);
     return features;
@@ -29,11 +29,13 @@ ProgramFeatures withoutRelief(ProgramFeatures features)
 {
     features.technique = knownTechnique("flat").key;
     features.maps = {};
-    features.curved = features.prisms = features.borders = features.shadows = features.softShadows = features.coarser = features.clamps
-        = false;
+    features.curved = features.prisms = features.borders = features.coarser = features.clamps = false;
+    features.shadows = features.softShadows = features.horizonShadows = false;
     features.setVariant(&Parameters::depthOfHit, 0);
     features.setVariant(&Parameters::edgeFade, 0);
     features.setVariant(&Parameters::normalFiltering, 0); // there is no normal map
+    features.setVariant(&Parameters::ambientRelief, 0);
+    features.setVariant(&Parameters::specularOcclusion, 0);
     return features;
 }
 

@@ -163,6 +163,8 @@ std::vector<std::filesystem::path> filesOfTextures(const ExportJob& job);
 std::vector<std::filesystem::path> filesOfPreset(const ExportJob& job);
 std::vector<std::filesystem::path> filesOfWeb(const ExportJob& job);
 
+inline constexpr std::string_view kHorizonsLeftOut = "What is written reads no map of horizons: its self-shadows are searched, and the "
+                                                     "relief takes nothing from the light of the surroundings.";
 inline constexpr std::string_view kShaderLimits = "Rays are straight and no mip level of the heights is read: silhouettes stay the mesh's.";
 inline constexpr auto kExports = std::to_array<ExportRow>({
     {.key = "gltf",

@@ -24,9 +24,9 @@ struct BakedMap {
     }
 };
 
-// How a search reads a map: filtered, by the nodes of a pyramid, as codes (whole numbers of 16 bits, baked as they are stored), or
-// filtered in a volume.
-enum class MapForm { Filtered, Pyramid, Codes, Volume };
+// How a map is read: filtered, by the nodes of a pyramid, as codes (whole numbers of 16 bits, baked as they are stored), filtered in a
+// volume, or filtered in layers, each by itself.
+enum class MapForm { Filtered, Pyramid, Codes, Volume, Layers };
 
 // Which way a value moves when it is stored in fewer bits. A bound moves to its safe side, so that it still bounds.
 enum class Rounding { Nearest, Down, Up };

@@ -14,6 +14,7 @@ std::vector<MapShape::Level> levelsOf(const BakedMapRow& row, int width, int hei
 {
     switch (row.form) {
     case MapForm::Filtered:
+    case MapForm::Layers:
         break;
     case MapForm::Codes:
         return {{(width + 1) / 2, (height + 1) / 2}};

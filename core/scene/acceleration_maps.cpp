@@ -3,23 +3,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/acceleration_maps.h"
 #include "core/image/material.h"
+#include "core/state/lights.h"
 #include <algorithm>
 
 namespace relievo {
 
+std::vector<MapWish> mapWishes(const TechniqueRow& technique, const Parameters& parameters)
+{
+    std::vector<MapWish> wishes;
+    if (!technique.accelerationMap.empty())
+        wishes.push_back({technique.accelerationMap, parameters.wrap, parameters.heightMips});
+    if (hasHorizonShadows(technique, parameters) || hasAmbientRelief(technique, parameters))
+        wishes.push_back({parameters.horizonAzimuths == HorizonAzimuths::Eight ? "horizon-slopes" : "horizon-slopes-16", parameters.wrap});
+    return wishes;
+}
+
 namespace {
-// Calls visit(technique, parameters) for each pane whose technique searches with an acceleration map.
+// Calls visit(wish, parameters) for each map that a pane wants.
 template <class Visit> void eachWish(const State& state, const Visit& visit)
 {
     for (std::size_t pane = 0; pane < state.panes.size(); ++pane)
-        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->accelerationMap.empty())
-            visit(*technique, effectiveParameters(state, pane));
+        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique))
+            for (const Parameters parameters = effectiveParameters(state, pane); const MapWish& wish : mapWishes(*technique, parameters))
+                visit(wish, parameters);
+}
+
+tl::unexpected<Error> notMade(std::string_view label, const char* what)
+{
+    return failure(ErrorCode::NotReady, std::string(label), what, "Wait until it is, or choose the technique again");
 }
 } // namespace
 
-AccelerationMaps::Key AccelerationMaps::keyOf(const TechniqueRow& technique, const Parameters& parameters)
+AccelerationMaps::Map AccelerationMaps::find(const MapWish& wish, const Material& material) const
 {
-    return {technique.accelerationMap, parameters.wrap};
+    const auto found = m_made.find(keyOf(wish));
+    const bool fits = found != m_made.end() && material.height && found->second.heights == material.height->identity()
+        && (!wish.allLevels || found->second.allLevels);
+    return fits ? found->second.map : nullptr;
 }
 
 Expected<AccelerationMaps::Map> AccelerationMaps::of(
@@ -27,27 +47,44 @@ Expected<AccelerationMaps::Map> AccelerationMaps::of(
 {
     if (technique.accelerationMap.empty())
         return nullptr;
-    const std::string label(technique.label);
     if (!material.height)
-        return failure(label, "this technique needs a height map and the material has none", "Assign one, or choose Flat or Bump");
-    const auto found = m_made.find(keyOf(technique, parameters));
-    if (found == m_made.end() || found->second.heights != material.height->identity()
-        || (parameters.heightMips && !found->second.allLevels))
-        return failure(
-            ErrorCode::NotReady, label, "the map that it searches with is not made yet", "Wait until it is, or choose the technique again");
-    return found->second.map;
+        return failure(std::string(technique.label), "this technique needs a height map and the material has none",
+            "Assign one, or choose Flat or Bump");
+    if (Map map = find(mapWishes(technique, parameters).front(), material))
+        return map;
+    return notMade(technique.label, "the map that it searches with is not made yet");
+}
+
+Expected<AccelerationMaps::Map> AccelerationMaps::horizonsOf(
+    const TechniqueRow& technique, const Parameters& parameters, const Material& material) const
+{
+    const std::vector<MapWish> wishes = mapWishes(technique, parameters);
+    if (!material.height || wishes.empty() || wishes.back().row == technique.accelerationMap)
+        return nullptr;
+    if (Map map = find(wishes.back(), material))
+        return map;
+    return notMade(technique.label, "the map of horizons that its light reads is not made yet");
+}
+
+Expected<void> AccelerationMaps::make(const MapWish& wish, const Parameters& parameters, const Material& material, const Progress& progress)
+{
+    const HeightField field = material.height->withWrap(wish.wrap);
+    auto map = makeAccelerationMap(wish.row, field, parameters, wish.allLevels, progress);
+    if (!map)
+        return tl::unexpected(map.error());
+    m_made[keyOf(wish)] = {std::move(*map), field.identity(), wish.allLevels};
+    return {};
 }
 
 Expected<void> AccelerationMaps::make(
     const TechniqueRow& technique, const Parameters& parameters, const Material& material, const Progress& progress)
 {
-    if (!material.height || of(technique, parameters, material))
-        return {};
-    const HeightField field = material.height->withWrap(parameters.wrap);
-    auto map = makeAccelerationMap(technique.accelerationMap, field, parameters, parameters.heightMips, progress);
-    if (!map)
-        return tl::unexpected(map.error());
-    m_made[keyOf(technique, parameters)] = {std::move(*map), field.identity(), parameters.heightMips};
+    const std::vector<MapWish> wishes = mapWishes(technique, parameters);
+    const float all = float(wishes.size());
+    for (std::size_t i = 0; i < wishes.size() && material.height; ++i)
+        if (!find(wishes[i], material))
+            if (auto made = make(wishes[i], parameters, material, progress.part(float(i) / all, float(i + 1) / all)); !made)
+                return made;
     return {};
 }
 
@@ -56,10 +93,10 @@ Expected<void> AccelerationMaps::makeFor(const State& state, const Material& mat
     const float all = float(std::max(missingFor(state, material).size(), std::size_t(1)));
     float done = 0.f;
     Expected<void> result;
-    eachWish(state, [&](const TechniqueRow& technique, const Parameters& parameters) {
-        if (!result || of(technique, parameters, material))
+    eachWish(state, [&](const MapWish& wish, const Parameters& parameters) {
+        if (!result || !material.height || find(wish, material))
             return;
-        result = make(technique, parameters, material, progress.part(done / all, (done + 1.f) / all));
+        result = make(wish, parameters, material, progress.part(done / all, (done + 1.f) / all));
         done += 1.f;
     });
     return result;
@@ -68,9 +105,9 @@ Expected<void> AccelerationMaps::makeFor(const State& state, const Material& mat
 std::vector<std::string_view> AccelerationMaps::missingFor(const State& state, const Material& material) const
 {
     std::set<Key> missing;
-    eachWish(state, [&](const TechniqueRow& technique, const Parameters& parameters) {
-        if (material.height && !of(technique, parameters, material))
-            missing.insert(keyOf(technique, parameters));
+    eachWish(state, [&](const MapWish& wish, const Parameters&) {
+        if (material.height && !find(wish, material))
+            missing.insert(keyOf(wish));
     });
     std::vector<std::string_view> rows;
     for (const auto& [row, wrap] : missing)
@@ -81,9 +118,9 @@ std::vector<std::string_view> AccelerationMaps::missingFor(const State& state, c
 void AccelerationMaps::keepOnlyOf(const State& state, const Material& material)
 {
     std::set<Key> wanted;
-    eachWish(state, [&](const TechniqueRow& technique, const Parameters& parameters) {
-        if (of(technique, parameters, material))
-            wanted.insert(keyOf(technique, parameters));
+    eachWish(state, [&](const MapWish& wish, const Parameters&) {
+        if (find(wish, material))
+            wanted.insert(keyOf(wish));
     });
     std::erase_if(m_made, [&](const auto& made) { return !wanted.contains(made.first); });
 }

@@ -66,6 +66,8 @@ std::string uniformDeclarations(const std::string& text)
         declarations += "uniform vec4 boundScales[" + std::to_string(kMaxHeightLevels) + "];\n";
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
+    declare("sampler2DArray", "horizonMap"); // see shadow/horizons.glsl
+    declare("float", "horizonMapLevels");
     declare("samplerBuffer", "borderMap");
     declare("samplerBuffer", "prismMap"); // see view_ray/prisms.glsl
     declare("sampler2D", "prismImage"); // the same where there are no buffers

@@ -137,15 +137,18 @@ void shadowFiles(Assembly& part, const TechniqueRow& technique, const ProgramFea
     const bool several = features.severalLights, searches = technique.hasShadowsAndOutlines() && features.shadows;
     if (several)
         part.file("shading/light_table.glsl");
-    if (searches)
+    if (searches && features.horizonShadows) {
+        part.file("shadow/shadow_above.glsl").file(several ? "shadow/several_horizon.glsl" : "shadow/shadow_horizon.glsl");
+    } else if (searches) {
         part.file(technique.isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
             .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl");
-    if (!searches)
+        if (features.softShadows)
+            part.file(several ? "shadow/several_soft.glsl" : "shadow/shadow_soft.glsl");
+        else
+            part.file(several ? "shadow/several_hard.glsl" : "shadow/shadow_hard.glsl");
+    } else {
         part.file(several ? "shadow/several_none.glsl" : "shadow/shadow_none.glsl");
-    else if (features.softShadows)
-        part.file(several ? "shadow/several_soft.glsl" : "shadow/shadow_soft.glsl");
-    else
-        part.file(several ? "shadow/several_hard.glsl" : "shadow/shadow_hard.glsl");
+    }
     part.file(features.objectShadows ? "shadow/shadow_map.glsl" : "shadow/shadow_map_none.glsl");
     if (several)
         part.file("shadow/shadow_several.glsl");
@@ -268,15 +271,15 @@ ProgramFeatures programFeatures(
     const bool shadowed = view.light != ViewLight::None;
     const auto anyLight
         = [&](auto has) { return std::ranges::any_of(kLights, [&](auto& one) { return isLit(parameters, one) && has(one); }); };
-    const auto casts = [&](const LightMembers& light) { return parameters.*light.shadows; };
-    const auto isSoft = [&](const LightMembers& light) { return casts(light) && parameters.*light.size > 0.f; };
-    const bool searchedShadows = shadowed && technique.hasShadowsAndOutlines() && anyLight(casts);
+    const auto isSoft = [&](const LightMembers& light) { return parameters.*light.shadows && parameters.*light.size > 0.f; };
+    const bool selfShadows = shadowed && hasSelfShadows(technique, parameters);
     const bool curved = parameters.silhouettes != Silhouettes::Off && technique.hasShadowsAndOutlines();
     ProgramFeatures features{.technique = std::string(technique.key),
         .view = std::string(view.key),
         .maps = maps,
-        .shadows = searchedShadows,
-        .softShadows = searchedShadows && anyLight(isSoft),
+        .shadows = selfShadows,
+        .softShadows = selfShadows && anyLight(isSoft),
+        .horizonShadows = shadowed && hasHorizonShadows(technique, parameters),
         .severalLights = shadowed && !isOneDirectional(parameters),
         .linear = linear,
         .coarser = technique.isExact && parameters.heightMips,
@@ -291,6 +294,8 @@ ProgramFeatures programFeatures(
         features.setVariant(&Parameters::depthOfHit, 0);
     if (!maps.contains(MapKind::Normal))
         features.setVariant(&Parameters::normalFiltering, 0);
+    if (!maps.contains(MapKind::Height) || !hasAmbientRelief(technique, parameters))
+        features.setVariant(&Parameters::ambientRelief, 0), features.setVariant(&Parameters::specularOcclusion, 0);
     return features;
 }
 
@@ -299,6 +304,8 @@ ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRo
     Parameters plain = withOneDirectional(parameters);
     plain.silhouettes = Silhouettes::Off;
     plain.objectShadows = false;
+    plain.shadowSearch = ShadowSearch::Searched;
+    plain.ambientRelief = AmbientRelief::Off;
     plain.heightMips = false;
     plain.vignette = 0.f;
     plain.frames = Frames::Derivatives;

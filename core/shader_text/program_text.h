@@ -29,6 +29,7 @@ struct ProgramFeatures {
     EnumSet<MapKind> maps; // maps that the material has
     bool shadows = false; // self-shadows wanted (a technique that does not search has none)
     bool softShadows = false; // and by a light with a size
+    bool horizonShadows = false; // found by the map of horizons
     bool severalLights = false; // or one that is not directional, where light is computed
     bool linear = false; // Target::linear
     bool coarser = false; // an exact technique reads mip levels

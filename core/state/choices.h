@@ -98,6 +98,47 @@ constexpr std::string_view wordOf(LightKind kind)
     return {};
 }
 
+// How the relief's shadows on itself are found: by the technique's search, or by the map of its horizons.
+enum class ShadowSearch { Searched, Horizon };
+constexpr std::string_view wordOf(ShadowSearch search)
+{
+    switch (search) {
+    case ShadowSearch::Searched:
+        return "searched";
+    case ShadowSearch::Horizon:
+        return "horizon";
+    }
+    return {};
+}
+
+// In how many directions the map of horizons tells them.
+enum class HorizonAzimuths { Eight, Sixteen };
+constexpr std::string_view wordOf(HorizonAzimuths azimuths)
+{
+    switch (azimuths) {
+    case HorizonAzimuths::Eight:
+        return "8";
+    case HorizonAzimuths::Sixteen:
+        return "16";
+    }
+    return {};
+}
+
+// What the relief takes from the light of the surroundings: nothing, a share of it, or what comes from where it stands in the way.
+enum class AmbientRelief { Off, Occlusion, Bent };
+constexpr std::string_view wordOf(AmbientRelief ambient)
+{
+    switch (ambient) {
+    case AmbientRelief::Off:
+        return "off";
+    case AmbientRelief::Occlusion:
+        return "occlusion";
+    case AmbientRelief::Bent:
+        return "bent";
+    }
+    return {};
+}
+
 // What is drawn behind the mesh.
 enum class Backdrop { Plain, Environment, Transparent, Gradient, Color };
 constexpr std::string_view wordOf(Backdrop background)

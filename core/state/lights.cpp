@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/lights.h"
 #include "core/state/camera_view.h"
+#include "core/state/technique_row.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -23,6 +24,22 @@ Parameters withOneDirectional(Parameters parameters)
         parameters.*light.kind = LightKind::Off;
     parameters.lightKind = LightKind::Directional;
     return parameters;
+}
+
+bool hasSelfShadows(const TechniqueRow& technique, const Parameters& parameters)
+{
+    const auto casts = [&](const LightMembers& light) { return isLit(parameters, light) && parameters.*light.shadows; };
+    return technique.hasShadowsAndOutlines() && std::ranges::any_of(kLights, casts);
+}
+
+bool hasHorizonShadows(const TechniqueRow& technique, const Parameters& parameters)
+{
+    return parameters.shadowSearch == ShadowSearch::Horizon && hasSelfShadows(technique, parameters);
+}
+
+bool hasAmbientRelief(const TechniqueRow& technique, const Parameters& parameters)
+{
+    return parameters.ambientRelief != AmbientRelief::Off && technique.readsNormals && !technique.isEngine();
 }
 
 float turnedYaw(const Parameters& parameters, const LightMembers& light)

@@ -7,6 +7,8 @@
 
 namespace relievo {
 
+struct TechniqueRow;
+
 inline constexpr std::size_t kMostLights = 4;
 
 struct LightMembers {
@@ -48,6 +50,12 @@ inline bool isNear(const Parameters& parameters, const LightMembers& light)
 bool isOneDirectional(const Parameters& parameters);
 // The same without the others, and the first as a directional one; dark where it is off.
 Parameters withOneDirectional(Parameters parameters);
+
+// Whether a light that is on casts the relief's shadows on itself, and the technique can; and whether the map of horizons tells them.
+bool hasSelfShadows(const TechniqueRow& technique, const Parameters& parameters);
+bool hasHorizonShadows(const TechniqueRow& technique, const Parameters& parameters);
+// Whether the relief takes from the light of the surroundings: not where there is none to be seen.
+bool hasAmbientRelief(const TechniqueRow& technique, const Parameters& parameters);
 
 // As the light has turned, in [-180, 180].
 float turnedYaw(const Parameters& parameters, const LightMembers& light);

@@ -49,6 +49,10 @@ struct Parameters { // the initialisers ARE the defaults
     float shadowStrength = 1.f;
     float shadowBias = 0.02f;
     float lightSize = 0.f;
+    ShadowSearch shadowSearch = ShadowSearch::Searched;
+    AmbientRelief ambientRelief = AmbientRelief::Off;
+    bool specularOcclusion = false;
+    HorizonAzimuths horizonAzimuths = HorizonAzimuths::Sixteen;
     bool objectShadows = false;
     int shadowMapSize = 1024;
     // Filtering
@@ -144,7 +148,8 @@ struct Parameters { // the initialisers ARE the defaults
 // The kinds of parameter. A vec3 is a linear colour.
 using Member = std::variant<float Parameters::*, int Parameters::*, bool Parameters::*, glm::vec3 Parameters::*, Wrap Parameters::*,
     Frames Parameters::*, Silhouettes Parameters::*, Shading Parameters::*, Backdrop Parameters::*, ToneCurve Parameters::*,
-    NormalFiltering Parameters::*, LightKind Parameters::*>;
+    NormalFiltering Parameters::*, LightKind Parameters::*, ShadowSearch Parameters::*, HorizonAzimuths Parameters::*,
+    AmbientRelief Parameters::*>;
 
 template <class M> struct MemberTypeOf;
 template <class T> struct MemberTypeOf<T Parameters::*> {
@@ -216,11 +221,12 @@ struct Condition {
     }
     constexpr bool holdsFor(int value) const { return value >= 0 && (values >> value & 1u) != 0; }
 };
-// When a row has a line in the panel; it must all hold.
+// When a row has a line in the panel; it must all hold, of the two conditions one.
 struct ShownWhen {
     bool byTechnique = false; // the technique lists it
     bool inAnimationBar = false; // never there: it stands in a bar of its own
     std::optional<Condition> when = {};
+    std::optional<Condition> orWhen = {};
 };
 
 struct ParameterRow {
@@ -594,6 +600,43 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .help
         = "How much higher than the point an occluder must lie, as a share of the depth; hides shadow acne. Exact techniques need none."},
     detail::lightSizeRow(&Parameters::lightSize, "lightSize", Group::Shadows, &Parameters::shadows),
+    {.member = &Parameters::shadowSearch,
+        .key = "shadowSearch",
+        .label = "Found by",
+        .group = Group::Shadows,
+        .max = kLast<ShadowSearch>,
+        .affects = {Affects::ProgramText},
+        .shown = {.when = Condition(&Parameters::shadows, true)},
+        .help = "How self-shadows of all lights are found: by the technique's search towards the light, or by a baked map that tells how "
+                "high the relief stands around each texel (Max 1988): two texels instead of a search, for soft shadows too, right up to "
+                "the map's texels and azimuths; it takes the mesh for flat around the point."},
+    {.member = &Parameters::ambientRelief,
+        .key = "ambientRelief",
+        .label = "Of surroundings",
+        .group = Group::Shadows,
+        .max = kLast<AmbientRelief>,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Light, .files = {"shading/sky_none.glsl", "shading/sky_share.glsl", "shading/sky_bent.glsl"}},
+        .help
+        = "What the relief takes from the light of the surroundings, by the map of its horizons, at any depth: occlusion keeps the share "
+          "that comes from above them; bent also reads the light where it comes from. Needs a height map."},
+    {.member = &Parameters::specularOcclusion,
+        .key = "specularOcclusion",
+        .label = "Of reflections",
+        .group = Group::Shadows,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Light, .files = {"shading/reflected_open.glsl", "shading/reflected_occluded.glsl"}},
+        .shown = {.when = Condition(&Parameters::ambientRelief, AmbientRelief::Occlusion, AmbientRelief::Bent)},
+        .help = "The relief also takes from reflections of the surroundings, less the smoother it is (Lagarde and de Rousiers 2014)."},
+    {.member = &Parameters::horizonAzimuths,
+        .key = "horizonAzimuths",
+        .label = "Azimuths",
+        .group = Group::Shadows,
+        .max = kLast<HorizonAzimuths>,
+        .shown = {.when = Condition(&Parameters::shadowSearch, ShadowSearch::Horizon),
+            .orWhen = Condition(&Parameters::ambientRelief, AmbientRelief::Occlusion, AmbientRelief::Bent)},
+        .help = "In how many directions the map of horizons tells them; between two it is interpolated. 16 take twice the memory of 8: 32 "
+                "bytes a texel."},
     {.member = &Parameters::objectShadows,
         .key = "objectShadows",
         .label = "Between objects",

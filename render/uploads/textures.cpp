@@ -137,23 +137,30 @@ AccelerationUpload uploadAccelerationMap(const AccelerationMap& map, Wrap wrap)
         upload.target = GL_TEXTURE_3D, upload.sampler = "distanceMap";
         std::ranges::fill(upload.scales, map.scales.front()); // the finest volume serves all levels
     }
+    if (map.form == MapForm::Layers)
+        upload.target = GL_TEXTURE_2D_ARRAY, upload.sampler = "horizonMap";
     glBindTexture(upload.target, *upload.texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    const int levels = upload.target == GL_TEXTURE_3D ? 1 : int(map.levels.size());
+    const int levels = upload.target == GL_TEXTURE_2D ? int(map.levels.size()) : 1;
     for (int i = 0; i < levels; ++i) {
         const Image& image = map.levels[std::size_t(i)];
         const Format format
             = map.form == MapForm::Codes ? Format{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT} : formatOf(image, false, false);
-        if (upload.target == GL_TEXTURE_3D)
-            glTexImage3D(GL_TEXTURE_3D, 0, format.internal, image.width, image.height / map.slices, map.slices, 0, format.layout,
+        if (upload.target != GL_TEXTURE_2D)
+            glTexImage3D(upload.target, 0, format.internal, image.width, image.height / map.slices, map.slices, 0, format.layout,
                 format.type, image.data.data());
         else
             glTexImage2D(GL_TEXTURE_2D, i, format.internal, image.width, image.height, 0, format.layout, format.type, image.data.data());
     }
     const bool nearest = map.form == MapForm::Codes || map.form == MapForm::Pyramid;
     const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
-    glTexParameteri(upload.target, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_NEAREST);
+    if (map.form == MapForm::Layers) { // mip levels are means, as of other maps that are shown
+        glGenerateMipmap(upload.target);
+        glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    } else {
+        glTexParameteri(upload.target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+        glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_NEAREST);
+    }
     glTexParameteri(upload.target, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
     glTexParameteri(upload.target, GL_TEXTURE_WRAP_S, mode);
     glTexParameteri(upload.target, GL_TEXTURE_WRAP_T, mode);

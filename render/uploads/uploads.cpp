@@ -85,8 +85,17 @@ void setFilter(const MapKindRow& row, bool filters)
 }
 } // namespace
 
-void Uploads::bindMaps(
-    const LinkedProgram& program, const Parameters& parameters, const std::shared_ptr<const AccelerationMap>& acceleration)
+const AccelerationUpload& Uploads::uploaded(const std::shared_ptr<const AccelerationMap>& map, Wrap wrap)
+{
+    glActiveTexture(GL_TEXTURE0 + kUploadUnit);
+    Acceleration& kept = m_acceleration[map.get()];
+    if (!kept.map)
+        kept = {map, uploadAccelerationMap(*map, wrap)};
+    return kept.upload;
+}
+
+void Uploads::bindMaps(const LinkedProgram& program, const Parameters& parameters,
+    const std::shared_ptr<const AccelerationMap>& acceleration, const std::shared_ptr<const AccelerationMap>& horizons)
 {
     const Wrap wrap = parameters.wrap;
     if (parameters.normalFiltering != NormalFiltering::Off && !m_normalsFinely) {
@@ -105,12 +114,13 @@ void Uploads::bindMaps(
         const HeightField& field = *m_resources.material->height;
         program.set("heightMapLast", float(levelCount(field) - 1));
     }
-    if (acceleration && (program.reads("boundMap") || program.reads("cellMap") || program.reads("distanceMap"))) {
-        glActiveTexture(GL_TEXTURE0 + kUploadUnit);
-        Acceleration& uploaded = m_acceleration[acceleration.get()];
-        if (!uploaded.map)
-            uploaded = {acceleration, uploadAccelerationMap(*acceleration, wrap)};
-        bindAccelerationMap(program, uploaded.upload, unit++);
+    if (acceleration && (program.reads("boundMap") || program.reads("cellMap") || program.reads("distanceMap")))
+        bindAccelerationMap(program, uploaded(acceleration, wrap), unit++);
+    if (horizons && program.reads("horizonMap")) {
+        const Image& finest = horizons->levels.front();
+        const int longest = std::max(finest.width, finest.height / horizons->slices);
+        program.bind("horizonMap", GL_TEXTURE_2D_ARRAY, *uploaded(horizons, wrap).texture, unit++);
+        program.set("horizonMapLevels", std::log2(float(longest)));
     }
     if (program.reads("environmentMap")) {
         glActiveTexture(GL_TEXTURE0 + kUploadUnit);

@@ -23,8 +23,9 @@ public:
     void show(const Resources& resources, std::size_t panes);
 
     // Binds the maps, the environment and their sizes that the program reads; uploads those that are missing.
-    // acceleration: of the technique, made under `wrap`; or nothing.
-    void bindMaps(const LinkedProgram& program, const Parameters& parameters, const std::shared_ptr<const AccelerationMap>& acceleration);
+    // acceleration: of the technique, made under `wrap`; horizons: of the heights under it; or nothing.
+    void bindMaps(const LinkedProgram& program, const Parameters& parameters, const std::shared_ptr<const AccelerationMap>& acceleration,
+        const std::shared_ptr<const AccelerationMap>& horizons);
 
     // The exact answer of a pane's picture, or none: then what was kept for the pane is forgotten.
     void bindExact(const LinkedProgram& program, std::size_t pane, const std::shared_ptr<const ExactDistances>& exact);
@@ -39,6 +40,7 @@ private:
     };
     const Map& map(MapKind kind);
     const Map& slopes(Wrap wrap);
+    const AccelerationUpload& uploaded(const std::shared_ptr<const AccelerationMap>& map, Wrap wrap);
     static void bindMap(const LinkedProgram& program, const std::string& sampler, const Map& map, Wrap wrap, int unit);
 
     Resources m_resources;

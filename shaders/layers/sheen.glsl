@@ -33,5 +33,5 @@ vec3 sheenReflected(ShadingPoint point, vec3 toLight)
 
 vec3 sheenAround(ShadingPoint point)
 {
-    return sheenColor * (sheen * sheenAlbedo(point.nv)) * irradiance(point.normal);
+    return sheenColor * (sheen * sheenAlbedo(point.nv)) * skyLight(point.sky);
 }

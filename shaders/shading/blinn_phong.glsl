@@ -6,13 +6,15 @@ struct ShadingPoint {
     vec3 toEye;
     vec3 diffuse;
     vec3 highlight;
+    Sky sky;
 };
 
 ShadingPoint shadingPointOf(Surface surface)
 {
     vec2 uv = surface.hit.uv;
-    return ShadingPoint(
-        reliefNormal(surface), surface.toEye, colorAt(uv, surface.footprint) * tint, specularAt(uv, surface.footprint) * specular);
+    vec3 n = reliefNormal(surface);
+    return ShadingPoint(n, surface.toEye, colorAt(uv, surface.footprint) * tint, specularAt(uv, surface.footprint) * specular,
+        skyOver(surface, n));
 }
 
 // What is reflected of a light whose irradiance over pi is 1, as a share.
@@ -24,5 +26,5 @@ vec3 reflected(ShadingPoint point, vec3 toLight)
 
 vec3 reflectedSurroundings(ShadingPoint point)
 {
-    return point.diffuse * irradiance(point.normal);
+    return point.diffuse * skyLight(point.sky);
 }

@@ -12,6 +12,7 @@ struct ShadingPoint {
     vec3 once; // shares of light from all around alike that leave towards the eye: reflected once by microfacets,
     vec3 again; // more than once,
     vec3 diffuse; // and from below the surface
+    Sky sky;
 };
 
 // Shares of light from all around alike that microfacets reflect once: by a Fresnel term of 1, and by (1 - v . h)^5. Rational fits of ours
@@ -53,7 +54,7 @@ ShadingPoint shadingPointOf(Surface surface)
     vec3 once = mix(plain, metals, metal);
     vec3 again = mix(plainAgain, reflectedAgain(base, metals, 1.0f - share.x), metal);
     vec3 diffuse = base * (1.0f - metal) * (1.0f - plain - plainAgain);
-    return ShadingPoint(n, surface.toEye, nv, rough, mix(vec3(plainF0), base, metal), once, again, diffuse);
+    return ShadingPoint(n, surface.toEye, nv, rough, mix(vec3(plainF0), base, metal), once, again, diffuse, skyOver(surface, n));
 }
 
 // What is reflected of a light whose irradiance over pi is 1, as a share.
@@ -77,6 +78,6 @@ vec3 reflected(ShadingPoint point, vec3 toLight)
 
 vec3 reflectedSurroundings(ShadingPoint point)
 {
-    return (point.diffuse + point.again) * irradiance(point.normal)
-        + point.once * reflection(reflect(-point.toEye, point.normal), point.rough);
+    return (point.diffuse + point.again) * skyLight(point.sky)
+        + point.once * reflection(reflect(-point.toEye, point.normal), point.rough) * reflectedShare(point.sky, point.nv, point.rough);
 }

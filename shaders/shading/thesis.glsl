@@ -11,15 +11,17 @@ struct ShadingPoint {
     float eta;
     float mirror;
     float opaque;
+    Sky sky;
 };
 
 ShadingPoint shadingPointOf(Surface surface)
 {
     vec2 uv = surface.hit.uv;
     vec3 optics = opticsAt(uv, surface.footprint);
-    return ShadingPoint(reliefNormal(surface), surface.toEye, colorAt(uv, surface.footprint) * tint,
+    vec3 n = reliefNormal(surface);
+    return ShadingPoint(n, surface.toEye, colorAt(uv, surface.footprint) * tint,
         specularAt(uv, surface.footprint) * specular, max(255.0f * optics.r, 1.0f), 2.0f * optics.g, optics.b,
-        opacityAt(uv, surface.footprint));
+        opacityAt(uv, surface.footprint), skyOver(surface, n));
 }
 
 // Share of Phong's colour in what is seen.
@@ -41,6 +43,7 @@ vec3 reflectedSurroundings(ShadingPoint point)
     vec3 through = refract(-point.toEye, point.normal, point.eta);
     if (dot(through, through) < 0.5f) // total reflection, which the listing makes the direction 0 of
         through = away;
-    vec3 seen = mix(reflection(through, 0.0f), point.diffuse * irradiance(point.normal), point.opaque);
-    return mix(seen, reflection(away, 0.0f), point.mirror);
+    vec3 seen = mix(reflection(through, 0.0f), point.diffuse * skyLight(point.sky), point.opaque);
+    float nv = max(dot(point.normal, point.toEye), 0.0f);
+    return mix(seen, reflection(away, 0.0f) * reflectedShare(point.sky, nv, 0.0f), point.mirror);
 }

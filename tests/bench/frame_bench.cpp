@@ -1,13 +1,13 @@
 // A shaded relief frame against the bare search with the same steps, and each technique's frame against flat: ratios of one run,
-// interleaved, median of 9, by the clock between glFinish calls. Then what each switch of light, layers and camera costs.
-// SPDX-FileCopyrightText: The Relievo authors
-// SPDX-License-Identifier: GPL-3.0-or-later
+// interleaved, median of 9, by the clock between glFinish calls. Then what each switch of light, layers and camera costs, and how many
+// pixels shadows by horizons have wrong. SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/source.h"
 #include "core/state/techniques.h"
 #include "render/windowless.h"
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <epoxy/gl.h>
 #include <sstream>
@@ -31,10 +31,13 @@ struct Case {
 };
 
 // Settings of a relief frame with self-shadows, each with what it is compared by.
-constexpr std::array<std::pair<const char*, const char*>, 20> kSwitches = {{{"plain", ""}, {"thesis shading", "shading=thesis"},
+constexpr std::array<std::pair<const char*, const char*>, 26> kSwitches = {{{"plain", ""}, {"thesis shading", "shading=thesis"},
     {"clear coat", "clearcoat=1"}, {"sheen", "sheen=1"}, {"transmission", "transmission=0.5"}, {"soft shadow", "lightSize=2"},
-    {"second light, shadow", "light2Kind=directional"}, {"second light, none", "light2Kind=directional light2Shadows=false"},
-    {"floor", "ground=true"}, {"floor, reflection", "ground=true groundReflection=0.5"}, {"shadows between objects", "objectShadows=true"},
+    {"no shadow", "shadows=false"}, {"horizon shadow", "shadowSearch=horizon"}, {"soft horizon shadow", "shadowSearch=horizon lightSize=2"},
+    {"ambient occlusion", "ambientRelief=occlusion"}, {"bent normals", "ambientRelief=bent"},
+    {"bent, specular occlusion", "ambientRelief=bent specularOcclusion=true"}, {"second light, shadow", "light2Kind=directional"},
+    {"second light, none", "light2Kind=directional light2Shadows=false"}, {"floor", "ground=true"},
+    {"floor, reflection", "ground=true groundReflection=0.5"}, {"shadows between objects", "objectShadows=true"},
     {"environment behind", "background=environment"}, {"tone curve agx", "toneCurve=agx"}, {"tone curve aces", "toneCurve=aces"},
     {"tone curve none", "toneCurve=none"}, {"vignette", "vignette=1"}, {"metered", "autoExposure=true"},
     {"white balance", "whiteBalance=4000"}, {"nearest texels", "textureFilter=false"}, {"no mip mapping", "mipMapping=false"}}};
@@ -47,6 +50,44 @@ double frame(Renderer& renderer, const Case& measured, const Resources& resource
         std::fprintf(stderr, "%s\n", message(drawn.error()).c_str());
     glFinish();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Pixels whose shadow by horizons is another than the one that is searched exactly, by the light's height, and what a frame costs with
+// each.
+void horizonsByHeight(Renderer& renderer, const Framebuffer& framebuffer)
+{
+    const Target target{.framebuffer = framebuffer.handle(), .width = 800, .height = 600};
+    for (const char* source : {"sample:bricks", "sample:cobblestones"}) {
+        State state = openSource(source, State())->state;
+        state.camera.pitch = 35.f, state.camera.distance = 0.7f;
+        state.panes = {Pane{"cell-cone"}};
+        state.parameters.heightMips = false;
+        std::printf("%s, cell cones: wrong pixels of 8, 16 azimuths; frame x searched shadow\n", source);
+        for (const float pitch : {10.f, 20.f, 40.f, 60.f, 80.f}) {
+            state.parameters.lightPitch = pitch;
+            std::array<Case, 3> cases = {Case{"searched", state, "shaded"}, Case{"8", state, "shaded"}, Case{"16", state, "shaded"}};
+            cases[1].state.parameters.horizonAzimuths = HorizonAzimuths::Eight;
+            for (std::size_t i = 1; i < cases.size(); ++i)
+                cases[i].state.parameters.shadowSearch = ShadowSearch::Horizon;
+            Resources resources = *loadResources(state, {}, {});
+            std::array<Image, 3> pictures;
+            for (std::size_t i = 0; i < cases.size(); ++i)
+                pictures[i] = *drawPicture(renderer, cases[i].state, 0, resources, "shadow", 800, 600, 1, true);
+            const auto wrong = [&](const Image& picture) {
+                double count = 0.;
+                for (int n = 0; n < 800 * 600; ++n)
+                    count += std::abs(picture.value(n % 800, n / 800, 0) - pictures[0].value(n % 800, n / 800, 0)) > 0.5f;
+                return 100. * count / (800. * 600.);
+            };
+            for (int round = 0; round < 11; ++round)
+                for (Case& measured : cases)
+                    if (const double ms = frame(renderer, measured, resources, target); round >= 2)
+                        measured.milliseconds.push_back(ms);
+            const double searched = cases[0].median();
+            std::printf("light at %2.0f deg   %5.2f %%  %5.2f %%   %5.2f  %5.2f x\n", double(pitch), wrong(pictures[1]), wrong(pictures[2]),
+                cases[1].median() / searched, cases[2].median() / searched);
+        }
+    }
 }
 
 } // namespace
@@ -74,7 +115,7 @@ int main()
         {"parallax", with("parallax", false, Shading::MetallicRoughness), "shaded"},
         {"bump", with("bump", false, Shading::MetallicRoughness), "shaded"},
         {"flat", with("flat", false, Shading::MetallicRoughness), "shaded"}};
-    const auto resources = loadResources(state, {}, {});
+    auto resources = loadResources(state, {}, {});
     if (!resources)
         return 1;
     Renderer renderer;
@@ -98,6 +139,9 @@ int main()
             if (const auto set = setParameter(switched.back().state, word); !set)
                 return std::fprintf(stderr, "%s\n", message(set.error()).c_str()), 1;
     }
+    for (const Case& measured : switched)
+        if (const auto made = resources->accelerationMaps.makeFor(measured.state, *resources->material); !made)
+            return std::fprintf(stderr, "%s\n", message(made.error()).c_str()), 1;
     for (int round = 0; round < 11; ++round)
         for (Case& measured : switched)
             if (const double ms = frame(renderer, measured, *resources, target); round >= 2)
@@ -106,4 +150,5 @@ int main()
     std::printf("each switch, relief with self-shadows\n");
     for (Case& measured : switched)
         std::printf("%-30s %7.2f ms  %5.2f x plain\n", measured.name, measured.median(), measured.median() / plain);
+    horizonsByHeight(renderer, framebuffer);
 }

@@ -31,7 +31,9 @@ bool holdsIn(const State& state, std::size_t index, const ParameterRow& row)
 {
     const TechniqueRow* technique = findTechnique(state.panes[index].technique);
     const bool byTechnique = !row.shown.byTechnique || (technique && technique->parameters.contains(row));
-    return byTechnique && !row.shown.inAnimationBar && (!row.shown.when || holds(state, index, *row.shown.when));
+    const bool inUse
+        = !row.shown.when || holds(state, index, *row.shown.when) || (row.shown.orWhen && holds(state, index, *row.shown.orWhen));
+    return byTechnique && !row.shown.inAnimationBar && inUse;
 }
 } // namespace
 

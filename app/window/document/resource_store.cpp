@@ -13,9 +13,9 @@ Needs needsOf(const State& state)
 {
     Needs needs{state.slots, state.mesh, state.environment, {}};
     for (std::size_t pane = 0; pane < state.panes.size(); ++pane)
-        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique); technique && !technique->accelerationMap.empty()) {
-            const Parameters parameters = effectiveParameters(state, pane);
-            needs.accelerationMaps.emplace_back(technique->accelerationMap, parameters.wrap, parameters.heightMips);
+        if (const TechniqueRow* technique = findTechnique(state.panes[pane].technique)) {
+            const std::vector<MapWish> wishes = mapWishes(*technique, effectiveParameters(state, pane));
+            needs.accelerationMaps.insert(needs.accelerationMaps.end(), wishes.begin(), wishes.end());
         }
     return needs;
 }

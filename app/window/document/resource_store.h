@@ -4,7 +4,6 @@
 #pragma once
 #include "app/window/document/stand_ins.h"
 #include <QString>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,7 +13,7 @@ namespace relievo {
 struct Needs {
     MapSlots slots;
     std::string mesh, environment;
-    std::vector<std::tuple<std::string, Wrap, bool>> accelerationMaps; // row of kBakedMaps, wrap, with all levels
+    std::vector<MapWish> accelerationMaps;
     bool operator==(const Needs&) const = default;
 };
 Needs needsOf(const State& state);

@@ -140,7 +140,7 @@ void sweep(const Scan& scan, int line, Hull& hull, Slopes& slopes)
 
 } // namespace
 
-std::vector<float> horizonSines(const HeightField& field, float depthInTiles, int index, int count, const Progress& progress)
+std::vector<float> horizonSlopes(const HeightField& field, int index, int count, const Progress& progress)
 {
     const Scan scan(field, 2. * std::numbers::pi * index / count);
     Slopes slopes{std::vector<float>(field.texels().size()), std::vector<float>(field.texels().size())};
@@ -157,35 +157,64 @@ std::vector<float> horizonSines(const HeightField& field, float depthInTiles, in
             const float share = beyond > 0.f ? 1.f - beyond : 0.f; // of the texel beyond the line below it
             float& below = slopes.below[scan.index(k, across)];
             const float slope = below + share * (slopes.above[scan.index(k, across)] - below);
-            const float tangent = std::max(0.f, depthInTiles * slope / float(scan.step));
-            below = tangent / std::sqrt(1.f + tangent * tangent);
+            below = std::max(0.f, slope / float(scan.step));
         }
     });
     return std::move(slopes.below);
 }
 
 namespace {
-BakedMap horizons(const HeightField& field, const Parameters& parameters, int count, const Progress& progress)
+float sineOf(float tangent)
+{
+    return tangent / std::sqrt(1.f + tangent * tangent);
+}
+
+// stored: what is kept of a slope.
+template <class Stored> BakedMap horizons(const HeightField& field, int count, const Progress& progress, const Stored& stored)
 {
     BakedMap map = oneLevel(floatImage(field.width(), field.height() * count / 4, 4), count / 4);
     for (int index = 0; index < count && !progress.cancelled(); ++index) {
-        const std::vector<float> sines = horizonSines(field, parameters.depth, index, count, progress);
-        float* out = floats(map.levels[0]).data() + std::size_t(index / 4) * sines.size() * 4 + std::size_t(index % 4);
-        for (std::size_t i = 0; i < sines.size(); ++i)
-            out[4 * i] = sines[i];
+        const std::vector<float> slopes = horizonSlopes(field, index, count, progress);
+        float* out = floats(map.levels[0]).data() + std::size_t(index / 4) * slopes.size() * 4 + std::size_t(index % 4);
+        for (std::size_t i = 0; i < slopes.size(); ++i)
+            out[4 * i] = stored(slopes[i]);
         progress.at(float(index + 1) / float(count));
     }
     return map;
 }
+BakedMap sines(const HeightField& field, float depth, int count, const Progress& progress)
+{
+    return horizons(field, count, progress, [depth](float slope) { return sineOf(depth * slope); });
+}
+BakedMap slopes(const HeightField& field, int count, const Progress& progress)
+{
+    return horizons(field, count, progress, [](float slope) { return slope / (slope + kHalfSlope); });
+}
 } // namespace
+
+std::vector<float> horizonSines(const HeightField& field, float depthInTiles, int index, int count, const Progress& progress)
+{
+    std::vector<float> values = horizonSlopes(field, index, count, progress);
+    for (float& value : values)
+        value = sineOf(depthInTiles * value);
+    return values;
+}
 
 BakedMap bakeHorizon8(const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
-    return horizons(field, parameters, 8, progress);
+    return sines(field, parameters.depth, 8, progress);
 }
 BakedMap bakeHorizon16(const HeightField& field, const Parameters& parameters, const Progress& progress)
 {
-    return horizons(field, parameters, 16, progress);
+    return sines(field, parameters.depth, 16, progress);
+}
+BakedMap bakeHorizonSlopes8(const HeightField& field, const Parameters&, const Progress& progress)
+{
+    return slopes(field, 8, progress);
+}
+BakedMap bakeHorizonSlopes16(const HeightField& field, const Parameters&, const Progress& progress)
+{
+    return slopes(field, 16, progress);
 }
 
 BakedMap bakeAo(const HeightField& field, const Parameters& parameters, const Progress& progress)

@@ -18,9 +18,17 @@ namespace relievo {
 // One upper hull a scan line, searched by bisection: Timonen and Westerholm 2010, Scalable Height Field Self-Shadowing.
 std::vector<float> horizonSines(const HeightField& field, float depthInTiles, int index, int count, const Progress& progress = {});
 
+// The same as a slope: heights per tile, at least 0; the tangent is the depth times that.
+std::vector<float> horizonSlopes(const HeightField& field, int index, int count, const Progress& progress = {});
+
 // 8 or 16 azimuths: F32, four channels, 2 or 4 slices one below the other; azimuth 4 s + c stands in channel c of slice s.
 BakedMap bakeHorizon8(const HeightField& field, const Parameters& parameters, const Progress& progress);
 BakedMap bakeHorizon16(const HeightField& field, const Parameters& parameters, const Progress& progress);
+
+// The same of slopes s, which know no depth, as s / (s + kHalfSlope): in [0, 1), and nearly linear in the distance to a wall.
+inline constexpr float kHalfSlope = 8.f; // heights per tile; shaders/shadow/horizons.glsl has it too
+BakedMap bakeHorizonSlopes8(const HeightField& field, const Parameters& parameters, const Progress& progress);
+BakedMap bakeHorizonSlopes16(const HeightField& field, const Parameters& parameters, const Progress& progress);
 
 // Ambient occlusion, 1 = open: the cosine-weighted share of the sky that a texel sees above its horizons,
 // mean of 1 - sine^2 over 16 azimuths (Max 1988, horizon mapping). One channel.

@@ -229,6 +229,18 @@ TEST_F(Web, LeftOutThingsAreTold)
     EXPECT_TRUE(isTold("web-object-shadows"));
 }
 
+// Horizons are no texture of the page: its shadows are searched.
+TEST_F(Web, HorizonsAreToldAndLeaveNoTrace)
+{
+    const json plain = data();
+    EXPECT_FALSE(isTold("web-horizons"));
+    m_state.parameters.shadowSearch = ShadowSearch::Horizon, m_state.parameters.ambientRelief = AmbientRelief::Bent;
+    m_state.parameters.specularOcclusion = true;
+    const json page = data();
+    EXPECT_TRUE(isTold("web-horizons"));
+    EXPECT_EQ(page["sides"][0]["fragment"], plain["sides"][0]["fragment"]);
+}
+
 // The page has the first light alone, as a directional one: the text is that of a State with no other.
 TEST_F(Web, FurtherLightsAreToldAndLeaveNoTrace)
 {

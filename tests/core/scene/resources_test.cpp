@@ -59,6 +59,40 @@ TEST(AccelerationMaps, HoldWhatPanesSearchWith)
     EXPECT_TRUE(resources.accelerationMaps.holds(first)) << "what is there is not made again";
 }
 
+TEST(AccelerationMaps, HorizonsAreMadeForTheLightThatReadsThem)
+{
+    State state = stateWith("relief");
+    Parameters& parameters = state.parameters;
+    const auto horizons = [&](const Resources& from) {
+        return from.accelerationMaps.horizonsOf(*findTechnique(state.panes.front().technique), parameters, *from.material);
+    };
+    Resources resources = *loadResources(state, {}, {});
+    EXPECT_EQ(*horizons(resources), nullptr) << "nothing reads them";
+    EXPECT_EQ(resources.accelerationMaps.count(), 0u);
+    parameters.shadowSearch = ShadowSearch::Horizon;
+    EXPECT_EQ(horizons(resources).error().code, ErrorCode::NotReady);
+    EXPECT_EQ(resources.accelerationMaps.missingFor(state, *resources.material), std::vector<std::string_view>{"horizon-slopes-16"});
+    resources = *loadResources(state, {}, resources);
+    ASSERT_TRUE(horizons(resources));
+    EXPECT_EQ((*horizons(resources))->slices, 4);
+    const auto made = *horizons(resources);
+    parameters.depth *= 2.f, parameters.heightMips = false;
+    EXPECT_EQ(*horizons(resources), made) << "it holds for any depth";
+    parameters.shadows = false;
+    EXPECT_EQ(*horizons(resources), nullptr) << "no light asks for shadows";
+    parameters.ambientRelief = AmbientRelief::Occlusion, parameters.horizonAzimuths = HorizonAzimuths::Eight;
+    state.panes = {Pane{"cell-cone"}};
+    resources = *loadResources(state, {}, resources);
+    ASSERT_TRUE(horizons(resources));
+    EXPECT_EQ((*horizons(resources))->slices, 2);
+    EXPECT_EQ(resources.accelerationMaps.count(), 2u) << "and the technique's own";
+    EXPECT_TRUE(resources.accelerationMaps.of(knownTechnique("cell-cone"), parameters, *resources.material));
+    for (const char* key : {"flat", "as-bevy"}) {
+        state.panes = {Pane{key}};
+        EXPECT_EQ(*horizons(resources), nullptr) << key;
+    }
+}
+
 // The exact answer depends on the parameters whose rows say so, and on no other.
 TEST(ExactQuestion, ChangesWithWhatMovesTheSurface)
 {

@@ -28,7 +28,11 @@ struct WhiteFurnace {
     static float metallicAt(vec2, float) { return 1.f; }
     static vec3 irradiance(vec3) { return vec3(1.f); }
     static vec3 reflection(vec3, float) { return vec3(1.f); }
+// clang-format off
+#include "shaders/shading/sky_none.glsl"
+#include "shaders/shading/reflected_open.glsl"
 #include "shaders/shading/metallic_roughness.glsl"
+    // clang-format on
 };
 
 vec3 leaning(float cosine, float yaw = 0.f)

@@ -15,12 +15,14 @@ struct Surface {
     Frame frame;
     vec3 toEye;
 };
+struct Sky { };
 struct ShadingPoint {
     vec3 normal, toEye;
     float nv;
+    Sky sky = {};
 };
 struct Surroundings {
-    vec3 irradiance(vec3) { return vec3(1.f); }
+    vec3 skyLight(Sky) { return vec3(1.f); }
     vec3 reflection(vec3, float) { return vec3(1.f); }
 };
 struct Coat : Surroundings {

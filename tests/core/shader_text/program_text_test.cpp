@@ -83,6 +83,38 @@ TEST(ProgramText, LightsThatAreOffLeaveNoTrace)
     EXPECT_TRUE(textOf("relief", "shaded", several).fragment.mentions("shadowBias"));
 }
 
+// The relief's horizons are read by what asks for them, in place of a search, and nowhere else.
+TEST(ProgramText, HorizonsThatAreNotReadLeaveNoTrace)
+{
+    for (const char* technique : {"relief", "cell-cone", "bump"})
+        for (const char* view : {"shaded", "shadow"}) {
+            const ShaderText plain = textOf(technique, view).fragment;
+            EXPECT_FALSE(plain.mentions("horizonMap")) << view;
+            Parameters set;
+            set.horizonAzimuths = HorizonAzimuths::Eight, set.specularOcclusion = true;
+            EXPECT_EQ(textOf(technique, view, set).fragment.text, plain.text) << view;
+            set.shadowSearch = ShadowSearch::Horizon, set.shadows = false;
+            EXPECT_FALSE(textOf(technique, view, set).fragment.mentions("horizonMap")) << "no light asks for shadows";
+        }
+    Parameters horizon;
+    horizon.shadowSearch = ShadowSearch::Horizon;
+    for (const LightKind second : {LightKind::Off, LightKind::Point})
+        for (const float size : {0.f, 2.f}) {
+            horizon.light2Kind = second, horizon.lightSize = size;
+            const ShaderText text = textOf("relief", "shadow", horizon).fragment;
+            EXPECT_TRUE(text.mentions("horizonMap"));
+            EXPECT_FALSE(text.mentions("shadowBias") || text.mentions("lightIsHidden"));
+        }
+    EXPECT_FALSE(textOf("bump", "shaded", horizon).fragment.mentions("horizonMap")) << "it has no shadows";
+    Parameters around;
+    around.ambientRelief = AmbientRelief::Bent, around.specularOcclusion = true;
+    EXPECT_TRUE(textOf("bump", "shaded", around).fragment.mentions("horizonMap"));
+    EXPECT_EQ(textOf("relief", "shadow", around).fragment.text, textOf("relief", "shadow").fragment.text);
+    for (const char* technique : {"flat", "as-bevy"})
+        EXPECT_FALSE(textOf(technique, "shaded", around).fragment.mentions("horizonMap")) << technique;
+    EXPECT_FALSE(textOf("bump", "shaded", around, {MapKind::Color}).fragment.mentions("horizonMap")) << "there are no heights";
+}
+
 TEST(ProgramText, ExactSearchesKnowWrapAndLevelBeforehand)
 {
     Parameters parameters;
@@ -182,6 +214,7 @@ TEST(ProgramText, DependsOnTheParametersThatSaySo)
             for (const ViewRow& view : kViews) {
                 Parameters base;
                 base.silhouettes = Silhouettes::Quadric, base.objectShadows = true, base.shadows = true;
+                base.ambientRelief = AmbientRelief::Occlusion; // without, nothing is taken from reflections either
                 if (row.group > Group::Light && row.group <= Group::Light4) { // what such a light is, where it alone has shadows
                     base.shadows = false, base.light2Shadows = base.light3Shadows = base.light4Shadows = false;
                     for (const LightMembers& light : kLights)

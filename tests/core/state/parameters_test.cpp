@@ -58,13 +58,16 @@ TEST(Tables, TechniquesListParametersThatAreShownByThem)
 TEST(Parameters, ConditionsOfShownNameSwitchesAndOptions)
 {
     for (const ParameterRow& row : kParameters) {
-        if (!row.shown.when)
-            continue;
-        const auto other = std::ranges::find(kParameters, row.shown.when->member, &ParameterRow::member);
-        ASSERT_NE(other, kParameters.end()) << row.key;
-        const int options = kindOf(*other) == ValueKind::Switch ? 2 : optionCount(*other);
-        EXPECT_GT(row.shown.when->values, 0u) << row.key;
-        EXPECT_LT(row.shown.when->values, (1u << options) - 1u) << row.key << ": it always holds, or names what is no option";
+        EXPECT_TRUE(row.shown.when || !row.shown.orWhen) << row.key;
+        for (const auto& condition : {row.shown.when, row.shown.orWhen}) {
+            if (!condition)
+                continue;
+            const auto other = std::ranges::find(kParameters, condition->member, &ParameterRow::member);
+            ASSERT_NE(other, kParameters.end()) << row.key;
+            const int options = kindOf(*other) == ValueKind::Switch ? 2 : optionCount(*other);
+            EXPECT_GT(condition->values, 0u) << row.key;
+            EXPECT_LT(condition->values, (1u << options) - 1u) << row.key << ": it always holds, or names what is no option";
+        }
     }
 }
 
