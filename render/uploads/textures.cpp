@@ -156,7 +156,7 @@ AccelerationUpload uploadAccelerationMap(const AccelerationMap& map, Wrap wrap)
     const GLint mode = wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
     if (map.form == MapForm::Layers) { // mip levels are means, as of other maps that are shown
         glGenerateMipmap(upload.target);
-        glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     } else {
         glTexParameteri(upload.target, GL_TEXTURE_MAX_LEVEL, levels - 1);
         glTexParameteri(upload.target, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_NEAREST);

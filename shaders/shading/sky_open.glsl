@@ -34,7 +34,7 @@ Sky openSky(Surface surface, vec3 normal)
         float tangent = max(slopes[i % 4] * surface.depth / size, -across / up);
         float c = inversesqrt(1.0f + tangent * tangent); // cosine and sine of the elevation from where on it is open
         float s = tangent * c;
-        open += weight * (across * (atan(1.0f, tangent) - c * s) + up * c * c);
+        open += weight * (across * (acos(s) - c * s) + up * c * c);
         towards += weight * (way * (across * (2.0f - s * (3.0f - s * s)) + up * c * c * c)
             + frame.normal * (across * c * c * c + up * (1.0f - s * s * s)));
         whole += weight;

@@ -37,33 +37,42 @@ State cobblestones(const char* mesh)
     state.parameters.heightMips = false;
     return state;
 }
+
+State wavesFromNear()
+{
+    State state = openSource("hard:waves@128", State())->state;
+    state.mesh = "plane", state.panes = {Pane{"cell-cone", {}}};
+    state.camera.pitch = 60.f, state.camera.distance = 0.6f, state.camera.target = glm::vec3(0.05f, 0.f, 0.08f);
+    Parameters& p = state.parameters;
+    p.depth = 0.15f, p.heightMips = p.mipMapping = false;
+    return state;
+}
 } // namespace
 
 // On any turn and stretch of the texture: the map's azimuths are the texture's, not the mesh's.
 TEST_F(Horizons, ShadowsAreNearlyThoseOfTheSearch)
 {
-    for (const char* mesh : {"plane", "sphere"})
-        for (const float rotation : {0.f, 65.f})
-            for (const LightKind second : {LightKind::Off, LightKind::Point})
-                for (const float pitch : {25.f, 50.f}) {
-                    State state = cobblestones(mesh);
-                    Parameters& p = state.parameters;
-                    p.rotation = rotation, p.tiling = 1.5f, p.offsetU = 0.3f, p.lightPitch = pitch, p.light2Kind = second;
-                    const Image searched = drawn(state, "shadow");
-                    const double eight
-                        = differing(searched, drawn(by(state, ShadowSearch::Horizon, HorizonAzimuths::Eight), "shadow"), 0.4f),
-                        sixteen = differing(searched, drawn(by(state, ShadowSearch::Horizon), "shadow"), 0.4f);
-                    p.shadows = false, p.light2Shadows = false;
-                    const double none = differing(searched, drawn(state, "shadow"), 0.4f);
-                    EXPECT_LT(eight, 0.2 * none) << mesh << ' ' << rotation << ' ' << wordOf(second) << ' ' << pitch;
-                    EXPECT_LT(sixteen, 0.1 * none) << mesh << ' ' << rotation << ' ' << wordOf(second) << ' ' << pitch;
-                }
+    for (const float rotation : {0.f, 65.f})
+        for (const LightKind second : {LightKind::Off, LightKind::Point})
+            for (const float pitch : {15.f, 30.f}) {
+                State state = wavesFromNear();
+                Parameters& p = state.parameters;
+                p.rotation = rotation, p.tiling = 1.5f, p.offsetU = 0.3f, p.lightPitch = pitch, p.light2Kind = second;
+                const Image searched = drawn(state, "shadow");
+                const double eight = differing(searched, drawn(by(state, ShadowSearch::Horizon, HorizonAzimuths::Eight), "shadow"), 0.4f),
+                             sixteen = differing(searched, drawn(by(state, ShadowSearch::Horizon), "shadow"), 0.4f);
+                p.shadows = false, p.light2Shadows = false;
+                const double none = differing(searched, drawn(state, "shadow"), 0.4f);
+                EXPECT_GT(none, 0.05) << rotation << ' ' << wordOf(second) << ' ' << pitch;
+                EXPECT_LT(eight, 0.4 * none) << rotation << ' ' << wordOf(second) << ' ' << pitch;
+                EXPECT_LT(sixteen, 0.25 * none) << rotation << ' ' << wordOf(second) << ' ' << pitch;
+            }
 }
 
 TEST_F(Horizons, SoftShadowsAreNearlyThoseOfManySearches)
 {
-    State state = cobblestones("plane");
-    state.parameters.lightSize = 6.f, state.parameters.lightPitch = 35.f;
+    State state = wavesFromNear();
+    state.parameters.lightSize = 6.f, state.parameters.lightPitch = 25.f;
     Resources resources = resourcesOf(state);
     const auto smooth = [&](const State& of) { return *drawPicture(renderer(), of, 0, resources, "shadow", 160, 120, 16, true); };
     const Image searched = smooth(state), horizon = smooth(by(state, ShadowSearch::Horizon));
@@ -74,7 +83,7 @@ TEST_F(Horizons, SoftShadowsAreNearlyThoseOfManySearches)
         sum += double(std::abs(s - h));
         penumbra += h > 0.1f && h < 0.9f;
     }
-    EXPECT_LT(sum / (160 * 120), 0.02);
+    EXPECT_LT(sum / (160 * 120), 0.05);
     EXPECT_GT(penumbra, 500);
 }
 
@@ -150,12 +159,14 @@ TEST_F(Horizons, EveryModelTechniqueAndMeshStaysValid)
 TEST_F(Horizons, AreUploadedOnlyWhenReadAndGoAgain)
 {
     State state = cobblestones("plane");
-    drawn(state, "shaded");
+    Resources resources = resourcesOf(by(state, ShadowSearch::Horizon));
+    picture(renderer(), state, resources, "shaded");
     const int without = renderer().textureCount();
-    drawn(by(state, ShadowSearch::Horizon), "depth");
+    picture(renderer(), by(state, ShadowSearch::Horizon), resources, "depth");
     EXPECT_EQ(renderer().textureCount(), without) << "unlit";
-    drawn(by(state, ShadowSearch::Horizon), "shaded");
+    picture(renderer(), by(state, ShadowSearch::Horizon), resources, "shaded");
     EXPECT_EQ(renderer().textureCount(), without + 1);
-    drawn(state, "shaded");
+    resources = loadResources(state, {}, resources).value_or(resources);
+    picture(renderer(), state, resources, "shaded");
     EXPECT_EQ(renderer().textureCount(), without);
 }
