@@ -19,6 +19,7 @@ struct WhiteFurnace {
         vec3 toEye;
         float footprint = 0.f;
     };
+    struct Sky { };
     vec3 tint{1.f};
     float roughness = 1.f, metallic = 0.f, ior = 1.5f;
     static float spreadRoughness(float rough, const Surface&) { return rough; }
@@ -26,13 +27,11 @@ struct WhiteFurnace {
     static vec3 colorAt(vec2, float) { return vec3(1.f); }
     static float roughnessAt(vec2, float) { return 1.f; }
     static float metallicAt(vec2, float) { return 1.f; }
-    static vec3 irradiance(vec3) { return vec3(1.f); }
+    static Sky skyOver(const Surface&, vec3) { return {}; }
+    static vec3 skyLight(Sky) { return vec3(1.f); }
+    static float reflectedShare(Sky, float, float) { return 1.f; }
     static vec3 reflection(vec3, float) { return vec3(1.f); }
-// clang-format off
-#include "shaders/shading/sky_none.glsl"
-#include "shaders/shading/reflected_open.glsl"
 #include "shaders/shading/metallic_roughness.glsl"
-    // clang-format on
 };
 
 vec3 leaning(float cosine, float yaw = 0.f)
