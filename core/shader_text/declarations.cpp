@@ -66,7 +66,7 @@ std::string uniformDeclarations(const std::string& text)
         declarations += "uniform vec4 boundScales[" + std::to_string(kMaxHeightLevels) + "];\n";
     declare("sampler2D", "slopeMap"); // dh/du and dh/dv of the height map, per tile
     declare("float", "slopeMapLevels");
-    declare("sampler2DArray", "horizonMap"); // see shadow/horizons.glsl
+    declare("sampler2DArray", "horizonMap"); // see horizon/horizons.glsl
     declare("float", "horizonMapLevels");
     declare("samplerBuffer", "borderMap");
     declare("samplerBuffer", "prismMap"); // see view_ray/prisms.glsl

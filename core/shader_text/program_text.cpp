@@ -138,7 +138,7 @@ void shadowFiles(Assembly& part, const TechniqueRow& technique, const ProgramFea
     if (several)
         part.file("shading/light_table.glsl");
     if (searches && features.horizonShadows) {
-        part.file("shadow/shadow_above.glsl").file(several ? "shadow/several_horizon.glsl" : "shadow/shadow_horizon.glsl");
+        part.file("horizon/shadow_above.glsl").file(several ? "horizon/several_horizon.glsl" : "horizon/shadow_horizon.glsl");
     } else if (searches) {
         part.file(technique.isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
             .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl");
@@ -176,7 +176,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             if (!isThesis(features))
                 part.file("shading/own_light.glsl");
             layerFiles(part, features);
-            part.file(features.severalLights ? "shading/lights_several.glsl" : "shading/lights_one.glsl").file("shading/shade.glsl");
+            part.file(features.severalLights ? "lights/lights_several.glsl" : "lights/lights_one.glsl").file("lights/shade.glsl");
         }
         const bool several = features.severalLights && !view->fileOfSeveral.empty();
         part.file(several ? view->fileOfSeveral : features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);

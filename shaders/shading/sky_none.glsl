@@ -1,7 +1,7 @@
 // The relief takes nothing from the light of the surroundings.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "shading/sky.glsl"
+#include "horizon/sky.glsl"
 
 Sky skyOver(Surface surface, vec3 normal)
 {

@@ -1,7 +1,7 @@
 // The relief keeps a share of the surroundings' light away.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "shading/sky_open.glsl"
+#include "horizon/sky_open.glsl"
 
 Sky skyOver(Surface surface, vec3 normal)
 {

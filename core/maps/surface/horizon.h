@@ -26,7 +26,7 @@ BakedMap bakeHorizon8(const HeightField& field, const Parameters& parameters, co
 BakedMap bakeHorizon16(const HeightField& field, const Parameters& parameters, const Progress& progress);
 
 // The same of slopes s, which know no depth, as s / (s + kHalfSlope): in [0, 1), and nearly linear in the distance to a wall.
-inline constexpr float kHalfSlope = 8.f; // heights per tile; shaders/shadow/horizons.glsl has it too
+inline constexpr float kHalfSlope = 8.f; // heights per tile; shaders/horizon/horizons.glsl has it too
 BakedMap bakeHorizonSlopes8(const HeightField& field, const Parameters& parameters, const Progress& progress);
 BakedMap bakeHorizonSlopes16(const HeightField& field, const Parameters& parameters, const Progress& progress);
 

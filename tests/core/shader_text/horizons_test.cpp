@@ -57,7 +57,7 @@ struct Tile {
     static vec3 irradiance(vec3) { return vec3(1.f); }
 };
 struct Shadows : Tile {
-#include "shaders/shadow/shadow_above.glsl"
+#include "shaders/horizon/shadow_above.glsl"
 };
 struct OpenSky : Tile {
 #include "shaders/shading/sky_bent.glsl"

@@ -1,7 +1,7 @@
 // Self-shadow without a search: a light is seen where it stands above the horizon.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "shadow/horizons.glsl"
+#include "horizon/horizons.glsl"
 
 // Share of a light's disc (radius: at distance 1) above the horizon, which is taken for level where the disc is.
 float shareAbove(Surface surface, vec3 toLight, float radius)

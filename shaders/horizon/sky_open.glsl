@@ -3,8 +3,8 @@
 // Strategies for Accurate Indirect Occlusion), so exact but for what changes between two azimuths.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: MIT
-#include "shading/sky.glsl"
-#include "shadow/horizons.glsl"
+#include "horizon/sky.glsl"
+#include "horizon/horizons.glsl"
 
 Sky openSky(Surface surface, vec3 normal)
 {
