@@ -41,13 +41,16 @@ struct Faults {
 Faults faultsOf(const AxisMap& map)
 {
     Faults faults;
+    int end = 0; // of the layers of this texel so far
     for (std::size_t i = 0; i < map.intervals.size(); ++i) {
         const Interval& here = map.intervals[i];
         faults.backwards += !here.isSolid() && here != Interval();
-        if (i % std::size_t(map.layers) > 0 && here.isSolid()) {
-            const Interval& before = map.intervals[i - 1];
-            faults.crossing += !before.isSolid() || before.back > here.front;
-        }
+        if (i % std::size_t(map.layers) == 0)
+            end = 0;
+        if (!here.isSolid())
+            continue;
+        faults.crossing += here.front < end;
+        end = here.back;
     }
     return faults;
 }
@@ -84,7 +87,7 @@ Expected<Warnings> checkObject(const ReliefObject& object)
                 warnings.push_back({code, std::to_string(count) + " intervals along " + nameOf(axis) + ' ' + what});
         };
         tell("back-before-front", faults.backwards, "end before they begin: they are empty.");
-        tell("layers-cross", faults.crossing, "begin before the layer above them ends, or below an empty one.");
+        tell("layers-cross", faults.crossing, "begin before the layer above them ends.");
     }
     if (!anyGiven)
         return failure("x, y, z", "there is no map along any axis", "Give the maps of one axis at least");
