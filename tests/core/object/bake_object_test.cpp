@@ -1,7 +1,7 @@
 // Relief objects baked from meshes: what is inside, whatever the mesh is like.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/bake_object.h"
+#include "core/object/bake/bake_object.h"
 #include "core/object/object_search.h"
 #include "tests/core/object/object_meshes.h"
 

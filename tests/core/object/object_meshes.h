@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/mesh/shapes/shapes.h"
-#include "core/object/bake_object.h"
+#include "core/object/bake/bake_object.h"
 #include <gtest/gtest.h>
 #include <random>
 

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/files/image_file.h"
-#include "core/object/dilate.h"
+#include "core/object/bake/dilate.h"
+#include "core/object/bake/side_pictures.h"
 #include "core/object/object_search.h"
-#include "core/object/side_pictures.h"
 #include "tests/core/mesh/mesh_support.h"
 #include "tests/core/object/object_meshes.h"
 

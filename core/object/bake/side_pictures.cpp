@@ -1,10 +1,10 @@
 // The nearest and the furthest crossing of each ray, shaded and averaged over texels.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/side_pictures.h"
+#include "core/object/bake/side_pictures.h"
 #include "core/ground/srgb.h"
-#include "core/object/columns.h"
-#include "core/object/dilate.h"
+#include "core/object/bake/columns.h"
+#include "core/object/bake/dilate.h"
 #include <atomic>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_for.h>

@@ -1,7 +1,7 @@
 // All orders of intervals and gaps, by how far they overlap their neighbours.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/align_layers.h"
+#include "core/object/bake/align_layers.h"
 #include <algorithm>
 #include <bit>
 #include <iterator>

@@ -1,7 +1,7 @@
 // Bilinear reads of a material's maps at interpolated UVs.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/mesh_surface.h"
+#include "core/object/bake/mesh_surface.h"
 #include "core/ground/srgb.h"
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 // Shells by joined positions, and the winding number beside each triangle of those that are open.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/mesh_shells.h"
+#include "core/object/bake/mesh_shells.h"
 #include "core/mesh/edges/places.h"
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,8 +1,8 @@
 // Crossings of rays, sorted by depth, and the solid between them.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/columns.h"
-#include "core/object/sheets.h"
+#include "core/object/bake/columns.h"
+#include "core/object/bake/sheets.h"
 #include <glm/geometric.hpp>
 
 namespace relievo {

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/ground/progress.h"
-#include "core/object/mesh_surface.h"
+#include "core/object/bake/mesh_surface.h"
 #include "core/object/relief_object.h"
 
 namespace relievo {

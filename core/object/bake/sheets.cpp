@@ -1,7 +1,7 @@
 // Triangles cut to the squares of texels.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/sheets.h"
+#include "core/object/bake/sheets.h"
 #include <glm/geometric.hpp>
 
 namespace relievo {

@@ -1,7 +1,7 @@
 // A tree by halves along the longest side, and solid angles.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/winding.h"
+#include "core/object/bake/winding.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numbers>

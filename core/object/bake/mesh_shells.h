@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/mesh/mesh.h"
-#include "core/object/winding.h"
+#include "core/object/bake/winding.h"
 
 namespace relievo {
 

@@ -1,7 +1,7 @@
 // Means pulled up a pyramid, and pushed down into what is empty.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/dilate.h"
+#include "core/object/bake/dilate.h"
 #include <algorithm>
 #include <cstddef>
 

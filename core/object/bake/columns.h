@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/object/mesh_shells.h"
-#include "core/object/mesh_surface.h"
-#include "core/object/object_box.h"
-#include "core/object/raster.h"
+#include "core/object/bake/mesh_shells.h"
+#include "core/object/bake/mesh_surface.h"
+#include "core/object/bake/object_box.h"
+#include "core/object/bake/raster.h"
 #include <span>
 
 namespace relievo {

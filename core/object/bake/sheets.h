@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/object/columns.h"
+#include "core/object/bake/columns.h"
 
 namespace relievo {
 

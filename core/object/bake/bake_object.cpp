@@ -1,9 +1,9 @@
 // Stretches of all texels as intervals of 16 bits.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/object/bake_object.h"
-#include "core/object/align_layers.h"
-#include "core/object/columns.h"
+#include "core/object/bake/bake_object.h"
+#include "core/object/bake/align_layers.h"
+#include "core/object/bake/columns.h"
 #include <atomic>
 #include <cmath>
 #include <cstdio>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/object/bake_object.h"
-#include "core/object/object_box.h"
+#include "core/object/bake/bake_object.h"
+#include "core/object/bake/object_box.h"
 
 namespace relievo {
 
