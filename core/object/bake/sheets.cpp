@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/object/bake/sheets.h"
+#include <boost/container/static_vector.hpp>
 #include <glm/geometric.hpp>
 
 namespace relievo {
@@ -9,7 +10,7 @@ namespace relievo {
 namespace {
 constexpr double kAround = 1.; // texels
 
-using Polygon = std::vector<glm::dvec3>;
+using Polygon = boost::container::static_vector<glm::dvec3, 12>; // a triangle cut four times has seven corners
 
 // What of it lies at sign * (p[axis] - at) >= 0.
 Polygon cut(const Polygon& polygon, int axis, double at, double sign)
@@ -57,9 +58,12 @@ void addWideSheets(const AxisView& view, std::span<const std::uint32_t> triangle
         const auto index = [&](double at) { return int(std::floor(at * size)); };
         const int fromY = std::max(index(low.y - kAround / size), rows.first),
                   toY = std::min(index(high.y + kAround / size), rows.first + rows.count - 1);
-        const int fromX = std::max(index(low.x - kAround / size), 0), toX = std::min(index(high.x + kAround / size), rows.size - 1);
         for (int y = fromY; y <= toY; ++y) {
             const Polygon strip = cut(cut(whole, 1, (y - kAround) / size, 1.), 1, (y + 1 + kAround) / size, -1.);
+            if (strip.empty())
+                continue;
+            const auto [left, right] = std::ranges::minmax(strip, {}, &glm::dvec3::x);
+            const int fromX = std::max(index(left.x - kAround / size), 0), toX = std::min(index(right.x + kAround / size), rows.size - 1);
             for (int x = fromX; x <= toX; ++x) {
                 const Polygon piece = cut(cut(strip, 0, (x - kAround) / size, 1.), 0, (x + 1 + kAround) / size, -1.);
                 if (piece.empty())
