@@ -49,13 +49,17 @@ AxisBake bakeAxis(const AxisView& view, const ObjectOptions& options, const Prog
     const bool reachesBack = options.sides == ObjectSides::One;
     const auto size = std::size_t(options.size), layers = std::size_t(options.layers);
     AxisBake bake{{options.size, options.size, options.layers, std::vector<Interval>(size * size * layers)}, 0, 0};
-    const Bands bands(view.surface->mesh(), view.box, view.axis, options.size);
+    const auto& lidsOf = view.shells->lids;
+    const Bands bands(
+        view.shells->kinds.size(), [&](std::size_t t) { return view.corners(std::uint32_t(t)); }, options.size);
+    const Bands lids(
+        lidsOf.size(), [&](std::size_t t) { return view.onAxis(lidsOf[t]); }, options.size);
     std::atomic<std::size_t> merged = 0, filled = 0;
     std::atomic<int> done = 0;
     oneapi::tbb::parallel_for(0, bands.count(), [&](int band) {
         if (progress.cancelled())
             return;
-        std::vector<Stretches> texels = bandStretches(view, bands.of(band), band, options.size, options.supersample);
+        std::vector<Stretches> texels = bandStretches(view, {bands.of(band), lids.of(band), band, options.size}, options.supersample);
         std::size_t at = std::size_t(band) * kBandRows * size, some = 0, many = 0;
         for (Stretches& stretches : texels) {
             some += !stretches.empty();

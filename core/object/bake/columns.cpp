@@ -14,38 +14,43 @@ constexpr int kHalvings = 20; // of a gap in which an open mesh ends without a s
 struct Crossing {
     std::uint32_t ray; // row-major in the band
     float depth;
-    std::uint32_t triangle;
-    bool enters;
+    std::int8_t winds; // by how much the winding number grows there
+    bool isSheet;
 };
 
-int rowsOf(int band, int size)
-{
-    return std::min(kBandRows, size - band * kBandRows);
-}
-
 // All rays of a grid `times` as fine as the texels, but for those of texels that are not wanted.
-template <class Wanted>
-std::vector<Crossing> crossingsOf(
-    const AxisView& view, std::span<const std::uint32_t> triangles, int band, int size, int times, Wanted isWanted)
+template <class Wanted> std::vector<Crossing> crossingsOf(const AxisView& view, const Band& band, int times, Wanted isWanted)
 {
-    const int width = size * times, first = band * kBandRows * times;
-    const RayGrid grid{width, width, first, first + rowsOf(band, size) * times};
+    const int width = band.size * times, first = band.first() * times;
+    const RayGrid grid{width, width, first, first + band.rows() * times};
     std::vector<Crossing> found;
-    for (const std::uint32_t triangle : triangles) {
-        const auto c = view.corners(triangle);
-        if (view.shells->kinds[triangle] == TriangleKind::Sheet && !isFacing(view, c))
-            continue;
+    const auto cross = [&](const Winding::Triangle& c, bool winds, bool isFlat, auto isThere) {
         forCrossings(grid, {glm::dvec2(c[0]), glm::dvec2(c[1]), glm::dvec2(c[2])}, [&](const RayCrossing& at) {
             const int row = at.y - first;
-            if (!isWanted(at.x / times, row / times) || !view.surface->isOpaque(triangle, at.weights))
+            if (!isWanted(at.x / times, row / times) || !isThere(at.weights))
                 return;
             const double depth = c[0].z * at.weights.x + c[1].z * at.weights.y + c[2].z * at.weights.z;
-            found.push_back(
-                {std::uint32_t(row) * std::uint32_t(width) + std::uint32_t(at.x), float(std::clamp(depth, 0., 1.)), triangle, at.enters});
+            found.push_back({std::uint32_t(row) * std::uint32_t(width) + std::uint32_t(at.x), float(std::clamp(depth, 0., 1.)),
+                std::int8_t(!winds  ? 0
+                        : at.enters ? 1
+                                    : -1),
+                isFlat});
         });
+    };
+    const auto always = [](glm::dvec3) { return true; };
+    for (const std::uint32_t triangle : band.triangles) {
+        const auto c = view.corners(triangle);
+        const TriangleKind kind = view.shells->kinds[triangle];
+        const bool isFlat = isSheet(kind) && isFacing(view, c);
+        if (kind != TriangleKind::Loose)
+            cross(c, true, isFlat, always);
+        else if (isFlat)
+            cross(c, false, true, [&](glm::dvec3 weights) { return view.surface->isOpaque(triangle, weights); });
     }
+    for (const std::uint32_t lid : band.lids)
+        cross(view.onAxis(view.shells->lids[lid]), true, false, always);
     std::ranges::sort(found,
-        [](const Crossing& a, const Crossing& b) { return std::tuple(a.ray, a.depth, !a.enters) < std::tuple(b.ray, b.depth, !b.enters); });
+        [](const Crossing& a, const Crossing& b) { return std::tuple(a.ray, a.depth, -a.winds) < std::tuple(b.ray, b.depth, -b.winds); });
     return found;
 }
 
@@ -62,15 +67,12 @@ public:
         for (std::size_t i = 0; i <= crossings.size(); ++i) {
             const bool isLast = i == crossings.size();
             const double next = isLast ? 1. : double(crossings[i].depth);
-            if (i > 0 || !m_view.shells->open.isEmpty())
+            if (i > 0 || !m_view.shells->ofLids.isEmpty())
                 gap(before, next, closed, wasInside, i == 0, isLast);
             if (isLast)
                 break;
-            const Crossing& crossing = crossings[i];
-            const TriangleKind kind = m_view.shells->kinds[crossing.triangle];
-            if (kind == TriangleKind::Closed)
-                closed += crossing.enters ? 1 : -1;
-            else if (kind == TriangleKind::Sheet)
+            closed += crossings[i].winds;
+            if (crossings[i].isSheet)
                 m_found.push_back({next, next});
             before = next;
         }
@@ -80,11 +82,11 @@ public:
 private:
     bool isInside(int closed, double depth) const
     {
-        if (m_view.shells->open.isEmpty())
+        if (m_view.shells->ofLids.isEmpty())
             return closed != 0;
         const AxisFrame& frame = kAxisFrames[m_view.axis];
         const glm::dvec3 p = (2. * m_uv.x - 1.) * frame.u + (2. * m_uv.y - 1.) * frame.v + (2. * depth - 1.) * frame.depth;
-        return std::abs(closed + m_view.shells->open.at(m_view.box.center + p * m_view.box.half)) > 0.5;
+        return std::abs(closed - m_view.shells->ofLids.at(m_view.box.center + p * m_view.box.half)) > 0.5;
     }
 
     // Between two crossings; an open mesh may end in it without a surface. The box's borders are outside.
@@ -92,21 +94,35 @@ private:
     {
         const double beside = kBeside * (to - from);
         bool atStart = !isFirst && isInside(closed, from + beside), atEnd = !isLast && isInside(closed, to - beside);
-        if (m_view.shells->open.isEmpty())
-            atStart = atEnd = closed != 0;
+        if (m_view.shells->ofLids.isEmpty() || !(to > from))
+            atStart = atEnd = closed != 0 && !isFirst && !isLast;
+        else if (!atStart && !atEnd && !isFirst && !isLast && isInside(closed, 0.5 * (from + to))) { // from hole to hole
+            const double middle = 0.5 * (from + to);
+            add(border(closed, from + beside, middle), border(closed, to - beside, middle), false);
+            wasInside = false;
+            return;
+        }
         if (atStart == atEnd) {
             if (atStart)
                 add(from, to, wasInside);
             wasInside = atEnd;
             return;
         }
-        double low = from + beside, high = to - beside;
-        for (int i = 0; i < kHalvings; ++i) {
-            const double middle = 0.5 * (low + high);
-            (isInside(closed, middle) == atStart ? low : high) = middle;
-        }
-        atStart ? add(from, low, wasInside) : add(high, to, false);
+        if (atStart)
+            add(from, border(closed, to - beside, from + beside), wasInside);
+        else
+            add(border(closed, from + beside, to - beside), to, false);
         wasInside = atEnd;
+    }
+
+    // Where a gap that is open at one depth and solid at another becomes solid.
+    double border(int closed, double open, double solid) const
+    {
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = 0.5 * (open + solid);
+            (isInside(closed, middle) ? solid : open) = middle;
+        }
+        return solid;
     }
 
     void add(double from, double to, bool goesOn)
@@ -136,14 +152,14 @@ void tidy(Stretches& stretches)
 }
 
 // Calls found(column, row, stretches) for each ray that meets something; column and row in the finer grid of the band.
-template <class Found>
-void forRays(const AxisView& view, const std::vector<Crossing>& crossings, int band, int width, int times, Found found)
+template <class Found> void forRays(const AxisView& view, const std::vector<Crossing>& crossings, const Band& band, int times, Found found)
 {
+    const int width = band.size * times;
     for (std::size_t i = 0, end = 0; i < crossings.size(); i = end) {
         while (end < crossings.size() && crossings[end].ray == crossings[i].ray)
             ++end;
         const int x = int(crossings[i].ray) % width, y = int(crossings[i].ray) / width;
-        const glm::dvec2 uv{(x + 0.5) / width, (band * kBandRows * times + y + 0.5) / width};
+        const glm::dvec2 uv{(x + 0.5) / width, (band.first() * times + y + 0.5) / width};
         Stretches stretches = Resolver(view, uv).resolve(std::span(crossings).subspan(i, end - i));
         tidy(stretches);
         if (!stretches.empty())
@@ -152,17 +168,12 @@ void forRays(const AxisView& view, const std::vector<Crossing>& crossings, int b
 }
 } // namespace
 
-Bands::Bands(const Mesh& mesh, const ObjectBox& box, std::size_t axis, int rows)
+Bands::Bands(std::size_t triangles, const Corners& corners, int rows)
 {
     const int bands = (rows + kBandRows - 1) / kBandRows;
-    const std::size_t triangles = mesh.indices.size() / 3;
     const auto reach = [&](std::size_t triangle) {
-        double low = 1., high = 0.;
-        for (const glm::dvec3& corner : cornersOf(mesh, triangle)) {
-            const double v = box.onAxis(axis, corner).y;
-            low = std::min(low, v);
-            high = std::max(high, v);
-        }
+        const Winding::Triangle c = corners(triangle);
+        const auto [low, high] = std::minmax({c[0].y, c[1].y, c[2].y});
         const auto bandAt = [&](double row) { return std::clamp(int(std::floor(row / kBandRows)), 0, bands - 1); };
         return std::pair(bandAt(low * rows - 1.5), bandAt(high * rows + 1.5));
     };
@@ -179,32 +190,31 @@ Bands::Bands(const Mesh& mesh, const ObjectBox& box, std::size_t axis, int rows)
             m_triangles[next[std::size_t(band)]++] = std::uint32_t(t);
 }
 
-std::vector<Stretches> bandStretches(const AxisView& view, std::span<const std::uint32_t> triangles, int band, int size, int supersample)
+std::vector<Stretches> bandStretches(const AxisView& view, const Band& band, int supersample)
 {
-    std::vector<Stretches> texels(std::size_t(rowsOf(band, size)) * std::size_t(size));
-    const auto texel = [&](int x, int y) -> Stretches& { return texels[std::size_t(y) * std::size_t(size) + std::size_t(x)]; };
+    const auto width = std::size_t(band.size);
+    std::vector<Stretches> texels(std::size_t(band.rows()) * width);
+    const auto number = [width](int x, int y) { return std::size_t(y) * width + std::size_t(x); };
     const auto isAny = [](int, int) { return true; };
-    forRays(view, crossingsOf(view, triangles, band, size, 1, isAny), band, size, 1,
-        [&](int x, int y, Stretches stretches) { texel(x, y) = std::move(stretches); });
+    forRays(view, crossingsOf(view, band, 1, isAny), band, 1,
+        [&](int x, int y, Stretches stretches) { texels[number(x, y)] = std::move(stretches); });
     if (supersample > 1) {
         std::vector<char> isFilled(texels.size());
         std::ranges::transform(texels, isFilled.begin(), [](const Stretches& s) { return char(!s.empty()); });
-        const auto isEmpty = [&](int x, int y) { return !isFilled[std::size_t(y) * std::size_t(size) + std::size_t(x)]; };
+        const auto isEmpty = [&](int x, int y) { return !isFilled[number(x, y)]; };
         std::vector<float> nearest(texels.size(), 4.f); // squared, of where a texel is taken from, in texels from its middle
-        forRays(view, crossingsOf(view, triangles, band, size, supersample, isEmpty), band, size * supersample, supersample,
-            [&](int x, int y, Stretches stretches) {
-                const auto aside = [&](int i) { return (float(i % supersample) + 0.5f) / float(supersample) - 0.5f; };
-                const float distance = aside(x) * aside(x) + aside(y) * aside(y);
-                const int column = x / supersample, row = y / supersample;
-                float& best = nearest[std::size_t(row) * std::size_t(size) + std::size_t(column)];
-                if (distance < best) {
-                    best = distance;
-                    texel(column, row) = std::move(stretches);
-                }
-            });
+        forRays(view, crossingsOf(view, band, supersample, isEmpty), band, supersample, [&](int x, int y, Stretches stretches) {
+            const auto aside = [&](int i) { return (float(i % supersample) + 0.5f) / float(supersample) - 0.5f; };
+            const float distance = aside(x) * aside(x) + aside(y) * aside(y);
+            const std::size_t texel = number(x / supersample, y / supersample);
+            if (distance < nearest[texel]) {
+                nearest[texel] = distance;
+                texels[texel] = std::move(stretches);
+            }
+        });
     }
     if (view.areSheetsWide)
-        addWideSheets(view, triangles, {size, band * kBandRows, rowsOf(band, size)}, texels);
+        addWideSheets(view, band, texels);
     for (Stretches& stretches : texels)
         tidy(stretches);
     return texels;

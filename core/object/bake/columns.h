@@ -6,6 +6,7 @@
 #include "core/object/bake/mesh_surface.h"
 #include "core/object/bake/object_box.h"
 #include "core/object/bake/raster.h"
+#include <functional>
 #include <span>
 
 namespace relievo {
@@ -15,7 +16,8 @@ inline constexpr int kBandRows = 16; // texels
 // The triangles that reach into each band of kBandRows rows of a map, one texel further on both sides.
 class Bands {
 public:
-    Bands(const Mesh& mesh, const ObjectBox& box, std::size_t axis, int rows);
+    using Corners = std::function<Winding::Triangle(std::size_t)>; // of a triangle, by u, v and depth
+    Bands(std::size_t triangles, const Corners& corners, int rows);
     int count() const { return int(m_first.size()) - 1; }
     std::span<const std::uint32_t> of(int band) const
     {
@@ -39,16 +41,23 @@ struct AxisView {
     std::size_t axis = 0;
     bool areSheetsWide = false; // what the sheets' edges hide is filled: other axes tell where they are
     // Corners by u, v and depth.
-    std::array<glm::dvec3, 3> corners(std::uint32_t triangle) const
+    Winding::Triangle onAxis(Winding::Triangle corners) const
     {
-        auto corners = cornersOf(surface->mesh(), triangle);
         for (glm::dvec3& corner : corners)
             corner = box.onAxis(axis, corner);
         return corners;
     }
+    Winding::Triangle corners(std::uint32_t triangle) const { return onAxis(cornersOf(surface->mesh(), triangle)); }
 };
 
-// One band of a square map, `size` texels wide: the stretches of each of its texels (row-major, from row band * kBandRows on).
-std::vector<Stretches> bandStretches(const AxisView& view, std::span<const std::uint32_t> triangles, int band, int size, int supersample);
+// One band of a square map, `size` texels wide.
+struct Band {
+    std::span<const std::uint32_t> triangles, lids; // that reach into it
+    int number = 0, size = 0;
+    int first() const { return number * kBandRows; } // row
+    int rows() const { return std::min(kBandRows, size - first()); }
+};
+// The stretches of each texel of a band, row-major.
+std::vector<Stretches> bandStretches(const AxisView& view, const Band& band, int supersample);
 
 } // namespace relievo

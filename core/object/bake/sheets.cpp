@@ -44,11 +44,11 @@ bool isFacing(const AxisView& view, const std::array<glm::dvec3, 3>& corners)
     return most == int(view.axis);
 }
 
-void addWideSheets(const AxisView& view, std::span<const std::uint32_t> triangles, SheetRows rows, std::vector<Stretches>& texels)
+void addWideSheets(const AxisView& view, const Band& band, std::vector<Stretches>& texels)
 {
-    const double size = rows.size;
-    for (const std::uint32_t triangle : triangles) {
-        if (view.shells->kinds[triangle] != TriangleKind::Sheet)
+    const double size = band.size;
+    for (const std::uint32_t triangle : band.triangles) {
+        if (!isSheet(view.shells->kinds[triangle]))
             continue;
         const auto c = view.corners(triangle);
         if (isFacing(view, c))
@@ -56,20 +56,20 @@ void addWideSheets(const AxisView& view, std::span<const std::uint32_t> triangle
         const Polygon whole(c.begin(), c.end());
         const glm::dvec3 low = glm::min(glm::min(c[0], c[1]), c[2]), high = glm::max(glm::max(c[0], c[1]), c[2]);
         const auto index = [&](double at) { return int(std::floor(at * size)); };
-        const int fromY = std::max(index(low.y - kAround / size), rows.first),
-                  toY = std::min(index(high.y + kAround / size), rows.first + rows.count - 1);
+        const int fromY = std::max(index(low.y - kAround / size), band.first()),
+                  toY = std::min(index(high.y + kAround / size), band.first() + band.rows() - 1);
         for (int y = fromY; y <= toY; ++y) {
             const Polygon strip = cut(cut(whole, 1, (y - kAround) / size, 1.), 1, (y + 1 + kAround) / size, -1.);
             if (strip.empty())
                 continue;
             const auto [left, right] = std::ranges::minmax(strip, {}, &glm::dvec3::x);
-            const int fromX = std::max(index(left.x - kAround / size), 0), toX = std::min(index(right.x + kAround / size), rows.size - 1);
+            const int fromX = std::max(index(left.x - kAround / size), 0), toX = std::min(index(right.x + kAround / size), band.size - 1);
             for (int x = fromX; x <= toX; ++x) {
                 const Polygon piece = cut(cut(strip, 0, (x - kAround) / size, 1.), 0, (x + 1 + kAround) / size, -1.);
                 if (piece.empty())
                     continue;
                 const auto [near, far] = std::ranges::minmax(piece, {}, &glm::dvec3::z);
-                texels[std::size_t(y - rows.first) * std::size_t(rows.size) + std::size_t(x)].push_back(
+                texels[std::size_t(y - band.first()) * std::size_t(band.size) + std::size_t(x)].push_back(
                     {std::max(near.z - kAround / size, 0.), std::min(far.z + kAround / size, 1.)});
             }
         }

@@ -35,7 +35,8 @@ public:
         , m_axis(axis)
         , m_size(options.size)
         , m_times(options.supersample)
-        , m_bands(surface.mesh(), box, axis, options.size)
+        , m_bands(
+              surface.mesh().indices.size() / 3, [this](std::size_t t) { return corners(t); }, options.size)
     {
         const auto texels = std::size_t(m_size) * std::size_t(m_size);
         for (Side& side : m_sides) {
@@ -80,6 +81,13 @@ public:
     }
 
 private:
+    Winding::Triangle corners(std::size_t triangle) const
+    {
+        auto c = cornersOf(m_surface.mesh(), triangle);
+        for (glm::dvec3& corner : c)
+            corner = m_box.onAxis(m_axis, corner);
+        return c;
+    }
     Image empty(int channels) const
     {
         Image image{m_size, m_size, channels, PixelType::U16, 16, false, {}};
@@ -98,9 +106,7 @@ private:
         std::array<std::vector<First>, 2> first;
         first.fill(std::vector<First>(std::size_t(width) * std::size_t(rows * m_times)));
         for (const std::uint32_t triangle : m_bands.of(band)) {
-            auto c = cornersOf(m_surface.mesh(), triangle);
-            for (glm::dvec3& corner : c)
-                corner = m_box.onAxis(m_axis, corner);
+            const auto c = corners(triangle);
             forCrossings(grid, {glm::dvec2(c[0]), glm::dvec2(c[1]), glm::dvec2(c[2])}, [&](const RayCrossing& at) {
                 const auto depth = float(c[0].z * at.weights.x + c[1].z * at.weights.y + c[2].z * at.weights.z);
                 const std::size_t ray = std::size_t(at.y - grid.rowFrom) * std::size_t(width) + std::size_t(at.x);

@@ -177,6 +177,20 @@ TEST(BakeObject, AnOpenMeshIsFilledWhereItWindsAround)
     EXPECT_LT(disagreement(baked.object, glm::dvec3(1.), [](glm::dvec3) { return true; }), 0.12);
 }
 
+// A tube without ends: rays along it meet no surface, and yet go through what it encloses.
+TEST(BakeObject, AHoleIsClosedWhereNoSurfaceIs)
+{
+    auto corners = boxCorners(glm::vec3(-1.f), glm::vec3(1.f));
+    corners.resize(24); // no faces across z
+    const BakedDepths baked = bakedDepths(meshOf(corners), sized(33));
+    EXPECT_TRUE(isTold(baked.warnings, "open-mesh"));
+    const auto hit = firstHit(baked.object, {0.05, 0.02, 3.}, {0., 0., -1.});
+    ASSERT_TRUE(hit);
+    EXPECT_GT(hit->t, 2.1); // half of the winding lies within the tube
+    EXPECT_LT(hit->t, 2.9);
+    EXPECT_TRUE(isInside(baked.object, {0., 0., 0.}));
+}
+
 // Cards in all directions: each is met from both sides where it lies, and beside it nothing.
 TEST(BakeObject, SheetsAreMetFromBothSides)
 {
