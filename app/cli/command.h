@@ -95,6 +95,7 @@ void addInfo(CLI::App& app, int& exitCode);
 void addReport(CLI::App& app, int& exitCode);
 void addTune(CLI::App& app, int& exitCode);
 void addCompare(CLI::App& app, int& exitCode);
+void addImpostor(CLI::App& app, int& exitCode);
 
 // Starts the editor in place of this program; returns only when that failed.
 int startEditor(int argc, char** argv);

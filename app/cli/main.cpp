@@ -30,7 +30,8 @@ struct CommandRow {
     AddCommand add;
 };
 constexpr CommandRow kCommands[] = {{"render", addRender}, {"trace", addTrace}, {"inspect", addInspect}, {"bake", addBake},
-    {"export", addExport}, {"describe", addDescribe}, {"info", addInfo}, {"report", addReport}, {"tune", addTune}, {"compare", addCompare}};
+    {"export", addExport}, {"describe", addDescribe}, {"info", addInfo}, {"report", addReport}, {"tune", addTune}, {"compare", addCompare},
+    {"impostor", addImpostor}};
 
 void warnOf(const char* variable, const char* value, const char* cure)
 {

@@ -22,7 +22,7 @@ forbid 'core starts no threads of its own' 'std::(j?thread|async)\b' core --excl
 forbid 'core does not exit or print' '\b(std::exit|std::cout|std::cerr|std::puts|std::printf)\b' core --exclude-dir=imageio
 
 # The storeys of core, ground first: a file includes its own storey and those below it. The image helper stands beside them.
-storeys='ground state gltf image mesh maps shader_text trace scene analysis exporters'
+storeys='ground state gltf image mesh maps shader_text trace object scene analysis exporters'
 for folder in core/*/; do
     grep -qw "$(basename "$folder")" <<< "$storeys imageio" || { echo "$folder is no storey of core"; failed=1; }
 done
@@ -32,7 +32,7 @@ for storey in $storeys; do
     above=${above# }
     [ -z "$above" ] || forbid "core/$storey knows nothing above it" "#include *\"core/(${above// /|})/" "core/$storey"
 done
-forbid 'the image helper knows ground and image only' '#include *"core/(state|gltf|mesh|maps|shader_text|trace|scene|analysis|exporters)/' core/imageio
+forbid 'the image helper knows ground and image only' '#include *"core/(state|gltf|mesh|maps|shader_text|trace|object|scene|analysis|exporters)/' core/imageio
 if found=$(find core -maxdepth 1 -type f) && [ -n "$found" ]; then
     printf 'every file of core lies in a storey:\n%s\n' "$found"
     failed=1

@@ -36,7 +36,7 @@ TEST(Progress, GoesFromNothingToAllOnceInEveryCommand)
              "export " + set + "--target gltf -o " + folder / "x.glb",
              "compare " + set + "--techniques relief,bump -o " + folder / "sheet.png",
              "report " + set + "--techniques relief --no-pictures --rays 50 -o " + folder / "r.json",
-             "tune " + set + "--max-error 0.1 --techniques relief --rays 50"}) {
+             "tune " + set + "--max-error 0.1 --techniques relief --rays 50", "impostor sphere --size 32 -o " + folder / "sphere"}) {
         const ProgramRun run = runRelievo(command + " --progress");
         ASSERT_EQ(run.exitCode, 0) << command << run.err;
         const std::vector<int> told = percents(run.err);

@@ -32,6 +32,7 @@ constexpr auto kPages = std::to_array<PageRow>({
     {"camera.md", "Camera and picture"},
     {"optics.md", "Coat, cloth, glass"},
     {"targets.md", "Export targets"},
+    {"objects.md", "Relief objects"},
     {"command-line.md", "The command line"},
     {"reference.md", "Reference"},
     {"speed-and-error.md", "Speed and error"},
