@@ -15,7 +15,7 @@
 
 namespace relievo {
 namespace {
-constexpr int kHeight = 280, kLeastHeight = 200, kNarrow = 520; // px
+constexpr int kHeight = 280, kLeastHeight = 200, kNarrowDock = 520; // px
 } // namespace
 
 DecideDock::DecideDock(Document& document, Assets& assets, const Viewport& viewport, QWidget* parent)
@@ -71,7 +71,7 @@ void DecideDock::showPage(QWidget& page)
 void DecideDock::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    m_title->setVisible(width() >= kNarrow);
+    m_title->setVisible(width() >= kNarrowDock);
 }
 
 } // namespace relievo

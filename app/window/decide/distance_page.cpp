@@ -14,13 +14,9 @@
 
 namespace relievo {
 namespace {
-constexpr int kRest = 250; // ms without a change until it is measured
-constexpr int kNarrow = 360; // px
+constexpr int kRestOfDistances = 250; // ms without a change until it is measured
+constexpr int kNarrowPlot = 360; // px
 
-QString number(double value)
-{
-    return qt(figure(value));
-}
 } // namespace
 
 DistancePage::DistancePage(const Document& document, const Assets& assets, const Viewport& viewport)
@@ -55,7 +51,7 @@ DistancePage::DistancePage(const Document& document, const Assets& assets, const
     m_plot->legend->setIconSize(14, 8);
     applyLook(*m_plot, palette());
     m_rest.setSingleShot(true);
-    m_rest.setInterval(kRest);
+    m_rest.setInterval(kRestOfDistances);
     connect(&m_rest, &QTimer::timeout, this, &DistancePage::measure);
     connect(&document, &Document::changed, this, &DistancePage::stir);
     connect(&assets, &Assets::resourcesChanged, this, &DistancePage::stir);
@@ -127,11 +123,12 @@ void DistancePage::take(const Answer& answer)
     const double within = distanceOfErrors(m_answer.figures, m_answer.depth, m_answer.lens);
     const auto& [nearest, steepest] = std::pair(m_answer.figures.front(), m_answer.figures.back());
     const QString cost = tr("%1: %2 fetches at %3\u00b0, %4 at %5\u00b0.")
-                             .arg(qt(m_answer.setting), number(nearest.errors.meanFetches), QString::number(nearest.angle),
-                                 number(steepest.errors.meanFetches), QString::number(steepest.angle));
-    const QString errors = within > 0.001 ? tr(" Its error is below a pixel from %1 m on.").arg(number(within)) : tr(" It has no error.");
-    const QString fade
-        = tr("From <b>%1 m</b> on the relief shifts what is seen by less than a pixel: fade to bump there.").arg(number(fadeDistance()));
+                             .arg(qt(m_answer.setting), qt(figure(nearest.errors.meanFetches)), QString::number(nearest.angle),
+                                 qt(figure(steepest.errors.meanFetches)), QString::number(steepest.angle));
+    const QString errors
+        = within > 0.001 ? tr(" Its error is below a pixel from %1 m on.").arg(qt(figure(within))) : tr(" It has no error.");
+    const QString fade = tr("From <b>%1 m</b> on the relief shifts what is seen by less than a pixel: fade to bump there.")
+                             .arg(qt(figure(fadeDistance())));
     m_line->setText(fade + ' ' + cost.toHtmlEscaped() + errors);
 }
 
@@ -139,7 +136,7 @@ void DistancePage::draw()
 {
     m_plot->clearPlottables();
     m_plot->clearItems();
-    m_plot->legend->setVisible(width() >= kNarrow);
+    m_plot->legend->setVisible(width() >= kNarrowPlot);
     const double fade = fadeDistance();
     if (!m_answer.figures.empty() && fade > 0.) {
         m_from = 0.2 * std::min(fade, m_answer.distance);

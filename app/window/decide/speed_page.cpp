@@ -14,7 +14,7 @@
 
 namespace relievo {
 namespace {
-constexpr int kNarrow = 360; // px
+constexpr int kNarrowHead = 360; // px
 
 template <class Rows> Segmented* axis(const Rows& rows, const char* name)
 {
@@ -27,10 +27,6 @@ template <class Rows> Segmented* axis(const Rows& rows, const char* name)
     return choice;
 }
 
-QString number(double value)
-{
-    return qt(figure(value));
-}
 } // namespace
 
 void applySetting(Document& document, std::size_t pane, const SearchSetting& setting)
@@ -82,7 +78,7 @@ void SpeedPage::showEvent(QShowEvent* event)
 void SpeedPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    m_head->setDirection(width() < kNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_head->setDirection(width() < kNarrowHead ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void SpeedPage::hideEvent(QHideEvent* event)
@@ -105,8 +101,8 @@ void SpeedPage::say(int point)
     }
     const MeasuredSetting& at = m_sweep.points()[std::size_t(point)];
     const QString text = tr("%1 fetches, %2 B; depth %3 %, wrong %4 %, %5 px")
-                             .arg(number(at.errors.meanFetches), number(at.errors.meanBytes), number(100. * at.errors.rmse),
-                                 number(100. * at.errors.wrongShare()), number(at.errors.rmsePixels));
+                             .arg(qt(figure(at.errors.meanFetches)), qt(figure(at.errors.meanBytes)), qt(figure(100. * at.errors.rmse)),
+                                 qt(figure(100. * at.errors.wrongShare())), qt(figure(at.errors.rmsePixels)));
     m_line->setFullText(at.isCoarse ? tr("%1 (coarse)").arg(text) : text);
 }
 

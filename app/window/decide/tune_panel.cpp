@@ -52,10 +52,6 @@ QTableWidgetItem* cell(const QString& text, bool isNumber = true)
     return item;
 }
 
-QString number(double value)
-{
-    return qt(figure(value));
-}
 } // namespace
 
 TunePanel::TunePanel(Document& document, const Assets& assets, const Viewport& viewport)
@@ -272,7 +268,7 @@ void TunePanel::take(const TuneQuestion& question, const Expected<Tuned>& tuned)
     const std::size_t metric = std::size_t(question.metric);
     m_figures->setText(
         tr("%1 fetches a ray. In the worst view: %2 %3, missed %4 %. %5 of %6 settings are cheaper%7.")
-            .arg(number(chosen.meanFetches), qt(kTuneMetrics[metric].label), number(chosen.error), number(100. * chosen.missed))
+            .arg(qt(figure(chosen.meanFetches)), qt(kTuneMetrics[metric].label), qt(figure(chosen.error)), qt(figure(100. * chosen.missed)))
             .arg(*tuned->chosen)
             .arg(tuned->candidates.size())
             .arg(question.leastError ? QString() : tr(", all of them too wrong")));
@@ -290,10 +286,10 @@ void TunePanel::fillProof(const Tuned& tuned, const Candidate& candidate)
         m_proof->insertRow(at);
         const QString view = qt(tuned.views[row.band]);
         m_proof->setItem(at, 0, cell(view, false));
-        m_proof->setItem(at, 1, cell(number(row.errors.meanFetches)));
+        m_proof->setItem(at, 1, cell(qt(figure(row.errors.meanFetches))));
         m_proof->setItem(at, 2, cell(QString::number(row.errors.maxFetches)));
-        m_proof->setItem(at, 3, cell(number(row.errors.rmse)));
-        m_proof->setItem(at, 4, cell(number(100. * row.errors.share(row.errors.tooDeep))));
+        m_proof->setItem(at, 3, cell(qt(figure(row.errors.rmse))));
+        m_proof->setItem(at, 4, cell(qt(figure(100. * row.errors.share(row.errors.tooDeep)))));
     }
     m_proof->show();
 }

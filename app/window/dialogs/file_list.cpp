@@ -18,7 +18,7 @@ namespace relievo {
 namespace {
 constexpr int kLookedAfter = 150; // ms after the last change
 constexpr int kLines = 5; // that are seen at once
-enum Column { Name, Size, Note };
+enum FileColumn { NameColumn, SizeColumn, NoteColumn };
 
 QString sizeText(double bytes)
 {
@@ -55,9 +55,9 @@ FileList::FileList(const ExportForm& form, const Document& document, const Asset
     m_list->setSelectionMode(QAbstractItemView::NoSelection);
     m_list->setFixedHeight(kLines * (fontMetrics().height() + kGrid) + kGrid);
     m_list->header()->setStretchLastSection(false);
-    m_list->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
-    m_list->header()->setSectionResizeMode(Size, QHeaderView::ResizeToContents);
-    m_list->header()->setSectionResizeMode(Note, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+    m_list->header()->setSectionResizeMode(SizeColumn, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(NoteColumn, QHeaderView::ResizeToContents);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kGrid);
@@ -129,10 +129,10 @@ void FileList::fill(const std::vector<Line>& lines, bool isWritten)
                 isWritten          ? tr("written")
                     : line.isThere ? tr("is replaced")
                                    : QString()});
-        item->setToolTip(Name, QDir::toNativeSeparators(line.path));
-        item->setTextAlignment(Size, Qt::AlignRight | Qt::AlignVCenter);
-        item->setForeground(Size, dimText(palette()));
-        item->setForeground(Note, !isWritten && line.isThere ? warningColor(palette()) : dimText(palette()));
+        item->setToolTip(NameColumn, QDir::toNativeSeparators(line.path));
+        item->setTextAlignment(SizeColumn, Qt::AlignRight | Qt::AlignVCenter);
+        item->setForeground(SizeColumn, dimText(palette()));
+        item->setForeground(NoteColumn, !isWritten && line.isThere ? warningColor(palette()) : dimText(palette()));
         sum += line.bytes;
     }
     const QString count = lines.size() == 1 ? tr("1 file") : tr("%1 files").arg(lines.size());

@@ -14,7 +14,7 @@
 
 namespace relievo {
 namespace {
-constexpr QSize kSize(1120, 420); // px, where the screen has room for it
+constexpr QSize kEditorSize(1120, 420); // px, where the screen has room for it
 }
 
 PackingEditor::PackingEditor(const std::vector<PackedTexture>& textures, QString file, QWidget* parent)
@@ -56,7 +56,7 @@ void PackingEditor::layOut()
     layout->addWidget(m_table, 1);
     layout->addWidget(m_fault);
     layout->addLayout(buttons);
-    resize(kSize.boundedTo(screen()->availableSize() - QSize(32, 64)));
+    resize(kEditorSize.boundedTo(screen()->availableSize() - QSize(32, 64)));
     connect(addButton, &QPushButton::clicked, m_table, &PackingTable::addNew);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     connect(m_save, &QPushButton::clicked, this, &PackingEditor::save);

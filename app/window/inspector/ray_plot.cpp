@@ -30,7 +30,7 @@ RayPlot::RayPlot(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlot)
     setObjectName("ray-plot");
     setAccessibleName(tr("Cross-section of the relief along the ray"));
     setMinimumSize(220, 120);
-    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    m_plot->setInteractions(QCP::Interactions(QCP::iRangeDrag) | QCP::iRangeZoom);
     m_plot->setNoAntialiasingOnDrag(true);
     m_plot->xAxis->setLabel(tr("texels along the ray"));
     m_plot->yAxis->setLabel(tr("height"));

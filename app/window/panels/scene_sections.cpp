@@ -134,12 +134,12 @@ namespace {
 // All around, the horizon in the middle, as it is seen when its average is a middle grey.
 QIcon thumbnail(std::string_view key)
 {
-    constexpr int kWidth = 96, kHeight = 48;
-    QImage image(kWidth, kHeight, QImage::Format_RGB32);
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    constexpr int kAcross = 96, kDown = 48;
+    QImage image(kAcross, kDown, QImage::Format_RGB32);
+    for (int y = 0; y < kDown; ++y)
+        for (int x = 0; x < kAcross; ++x) {
             const glm::vec2 turn
-                = glm::vec2(2.f * (float(x) + 0.5f) / float(kWidth) - 1.f, (float(y) + 0.5f) / float(kHeight)) * glm::pi<float>();
+                = glm::vec2(2.f * (float(x) + 0.5f) / float(kAcross) - 1.f, (float(y) + 0.5f) / float(kDown)) * glm::pi<float>();
             const glm::vec3 towards(std::sin(turn.x) * std::sin(turn.y), std::cos(turn.y), -std::cos(turn.x) * std::sin(turn.y));
             const glm::vec3 seen = 1.f - glm::exp(-0.7f * builtInRadiance(key, towards));
             image.setPixelColor(x, y, QColor::fromRgbF(srgbOf(seen.x), srgbOf(seen.y), srgbOf(seen.z)));
