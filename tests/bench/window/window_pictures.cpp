@@ -209,8 +209,26 @@ void lights(MainWindow& window)
     workUntil([&] { return window.viewport().isSettled(); });
 }
 
+// Shadows by horizons and what the relief takes from the surroundings, with the sections that say how a picture is made.
+void ambient(MainWindow& window)
+{
+    window.assets().propose("Mesh", [](State& state) {
+        state.mesh = "sphere";
+        assign(state, *findParameter("shadows"), true, kAllPanes);
+        assign(state, *findParameter("shadowSearch"), 1, kAllPanes);
+        assign(state, *findParameter("ambientRelief"), 2, kAllPanes);
+    });
+    workUntil([&] { return window.assets().ready() && window.viewport().isSettled(); });
+    for (Section* section : window.parameters().findChildren<Section*>())
+        section->setOpen(section->findChild<QWidget*>("shadowSearch") || section->findChild<QWidget*>("textureFilter")
+            || section->findChild<QWidget*>("clearcoat") || section->findChild<QWidget*>("exposure"));
+    workUntil([&] { return window.viewport().isSettled(); });
+}
+
 const Scene kScenes[] = {
     {"lights", {1280, 800}, Look::Dark, lights},
+    {"ambient", {1280, 1200}, Look::Dark, ambient},
+    {"ambient-light", {1280, 1200}, Look::Light, ambient},
     {"lights-light", {1280, 800}, Look::Light, lights},
     {"four-panes", {1280, 800}, Look::Dark,
         [](MainWindow& window) {
