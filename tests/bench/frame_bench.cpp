@@ -1,6 +1,8 @@
 // A shaded relief frame against the bare search with the same steps, and each technique's frame against flat: ratios of one run,
 // interleaved, median of 9, by the clock between glFinish calls. Then what each switch of light, layers and camera costs, and how many
-// pixels shadows by horizons have wrong. SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
+// pixels shadows by horizons have wrong.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/source.h"
 #include "core/state/techniques.h"
 #include "render/windowless.h"

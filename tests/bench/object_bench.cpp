@@ -1,6 +1,8 @@
 // Relief objects against the mesh that they were baked from, from all around: how much of the picture is wrong, and how long baking takes.
 // object_bench [--bake] [MESH...]; without meshes the built-in torus, askew, and teapot. --bake: only the time and memory of baking a torus
-// of a million triangles to six sides of 1024 x 1024. SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
+// of a million triangles to six sides of 1024 x 1024.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/shapes/shapes.h"
 #include "core/object/bake/side_pictures.h"
 #include "core/object/object_search.h"

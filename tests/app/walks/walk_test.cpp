@@ -1,5 +1,7 @@
 // The walk of someone who chooses a technique: open a set, compare four, find the worst point, see why, tune to one pixel, export; then all
-// of it undone, done again, saved and opened. SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
+// of it undone, done again, saved and opened.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/compare/compare_bar.h"
 #include "app/window/decide/decide_dock.h"
 #include "app/window/decide/tune_panel.h"

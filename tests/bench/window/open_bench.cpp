@@ -1,5 +1,7 @@
 // How soon a texture set is seen in a real window: ms from opening it to the first picture of it, to the whole one and to the full
-// resolution. Usage: open_bench SET [WIDTHxHEIGHT] SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
+// resolution. Usage: open_bench SET [WIDTHxHEIGHT]
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/starting_scene.h"
 #include "app/window/main_window.h"
 #include "app/window/viewport/viewport.h"

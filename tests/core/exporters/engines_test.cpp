@@ -1,5 +1,7 @@
 // Targets by text: every row's text fits its facts, the physical depth arrives in each engine's number, and bad targets are refused by
-// line. SPDX-FileCopyrightText: The Relievo authors SPDX-License-Identifier: GPL-3.0-or-later
+// line.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exporters/engines/target_text.h"
 #include "core/exporters/engines/template_values.h"
 #include "core/exporters/exporters.h"
