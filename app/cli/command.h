@@ -84,6 +84,18 @@ void tell(const Warnings& warnings, const Common& common); // on stderr
 nlohmann::ordered_json warningsJson(const Warnings& warnings);
 void print(const nlohmann::ordered_json& result); // one line on stdout; bytes that are no UTF-8 become U+FFFD, control characters escapes
 
+// The end of a command: its warnings, and with --json what it found; or its error, and the exit code.
+template <class Found, class ToJson> void conclude(const Result<Found>& found, const Common& common, int& exitCode, ToJson toJson)
+{
+    if (!found) {
+        exitCode = tell(found.error());
+        return;
+    }
+    tell(found->warnings, common);
+    if (common.json)
+        print(toJson(*found));
+}
+
 // One function a command: adds its subcommand to `app`; running it sets `exitCode`.
 void addRender(CLI::App& app, int& exitCode);
 void addTrace(CLI::App& app, int& exitCode);

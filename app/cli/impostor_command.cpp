@@ -80,14 +80,7 @@ void addImpostor(CLI::App& app, int& exitCode)
         ->check(CLI::Range(1, kMostRays))
         ->type_name("S");
     command->callback([options, &exitCode] {
-        const auto written = impostor(*options);
-        if (!written) {
-            exitCode = tell(written.error());
-            return;
-        }
-        tell(written->warnings, options->common);
-        if (options->common.json)
-            print(toJson(*options, *written));
+        conclude(impostor(*options), options->common, exitCode, [&](const Exported& written) { return toJson(*options, written); });
     });
 }
 

@@ -321,16 +321,11 @@ void addReport(CLI::App& app, int& exitCode)
     command->add_flag("--fast", options->fast, "Smaller pictures and fewer timed frames");
     command->add_flag("--no-pictures", options->noPictures, "Searches on the CPU only: no times of frames, no PSNR and FLIP");
     command->callback([options, &exitCode] {
-        const auto report = measureAndWrite(*options);
-        if (!report) {
-            exitCode = tell(report.error());
-            return;
-        }
-        tell(report->warnings, options->common);
-        if (options->common.json)
-            print(nlohmann::ordered_json{{"file", options->out}, {"settings", report->plan.settings.size()},
-                {"fields", report->plan.fields.size()}, {"rays", report->rows.size()}, {"pictures", report->pictures.size()},
-                {"warnings", warningsJson(report->warnings)}});
+        conclude(measureAndWrite(*options), options->common, exitCode, [&](const auto& report) {
+            return nlohmann::ordered_json{{"file", options->out}, {"settings", report.plan.settings.size()},
+                {"fields", report.plan.fields.size()}, {"rays", report.rows.size()}, {"pictures", report.pictures.size()},
+                {"warnings", warningsJson(report.warnings)}};
+        });
     });
 }
 

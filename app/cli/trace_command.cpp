@@ -112,16 +112,11 @@ void addTrace(CLI::App& app, int& exitCode)
     options->state.addOutput(*command, "-o", options->out, "CSV to write: hit,t,u,v,fetches")->required()->type_name("HITS.csv");
     command->add_option("--device", options->device, "Where the search runs")->check(CLI::IsMember({"cpu", "gl"}))->type_name("cpu|gl");
     command->callback([options, &exitCode] {
-        const auto traced = trace(*options);
-        if (!traced) {
-            exitCode = tell(traced.error());
-            return;
-        }
-        tell(traced->warnings, options->common);
-        if (options->common.json)
-            print(nlohmann::ordered_json{{"file", options->out}, {"rays", traced->rays}, {"found", traced->found},
-                {"unfinished", traced->unfinished}, {"meanFetches", traced->rays ? traced->fetches / double(traced->rays) : 0.},
-                {"warnings", warningsJson(traced->warnings)}});
+        conclude(trace(*options), options->common, exitCode, [&](const auto& traced) {
+            return nlohmann::ordered_json{{"file", options->out}, {"rays", traced.rays}, {"found", traced.found},
+                {"unfinished", traced.unfinished}, {"meanFetches", traced.rays ? traced.fetches / double(traced.rays) : 0.},
+                {"warnings", warningsJson(traced.warnings)}};
+        });
     });
 }
 

@@ -62,10 +62,7 @@ public:
 private:
     Expected<void> writeAxis(const BakedDepths& depths, std::size_t axis, const Progress& progress)
     {
-        const auto box = boxOf(m_job.surface->mesh());
-        if (!box)
-            return tl::unexpected(box.error());
-        auto looks = bakePictures(*m_job.surface, *box, axis, m_job.options, progress.part(0.f, 0.4f));
+        auto looks = bakePictures(*m_job.surface, depths.box, axis, m_job.options, progress.part(0.f, 0.4f));
         if (!looks)
             return tl::unexpected(looks.error());
         std::vector<Picture> pictures;

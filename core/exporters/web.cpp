@@ -139,7 +139,7 @@ void tellLeftOut(const std::vector<Side>& sides, const Mesh& mesh, Warnings& war
         warnings.push_back({"web-camera", "The page has no vignette, depth of field or automatic exposure."});
     if (any([](const Parameters& p) { return !isOneDirectional(p); }))
         warnings.push_back({"web-lights", std::string(kLightsLeftOut)});
-    if (any([](const Parameters& p) { return p.ambientRelief != AmbientRelief::Off || p.shadowSearch == ShadowSearch::Horizon; }))
+    if (std::ranges::any_of(sides, [](const Side& side) { return readsHorizons(side.technique, side.parameters); }))
         warnings.push_back({"web-horizons", std::string(kHorizonsLeftOut)});
     if (any([](const Parameters& p) { return p.ground; }))
         warnings.push_back({"web-ground", "The page draws no floor under the mesh."});

@@ -13,7 +13,7 @@ std::vector<MapWish> mapWishes(const TechniqueRow& technique, const Parameters& 
     std::vector<MapWish> wishes;
     if (!technique.accelerationMap.empty())
         wishes.push_back({technique.accelerationMap, parameters.wrap, parameters.heightMips});
-    if (hasHorizonShadows(technique, parameters) || hasAmbientRelief(technique, parameters))
+    if (readsHorizons(technique, parameters))
         wishes.push_back({parameters.horizonAzimuths == HorizonAzimuths::Eight ? "horizon-slopes" : "horizon-slopes-16", parameters.wrap});
     return wishes;
 }
@@ -58,10 +58,9 @@ Expected<AccelerationMaps::Map> AccelerationMaps::of(
 Expected<AccelerationMaps::Map> AccelerationMaps::horizonsOf(
     const TechniqueRow& technique, const Parameters& parameters, const Material& material) const
 {
-    const std::vector<MapWish> wishes = mapWishes(technique, parameters);
-    if (!material.height || wishes.empty() || wishes.back().row == technique.accelerationMap)
+    if (!material.height || !readsHorizons(technique, parameters))
         return nullptr;
-    if (Map map = find(wishes.back(), material))
+    if (Map map = find(mapWishes(technique, parameters).back(), material))
         return map;
     return notMade(technique.label, "the map of horizons that its light reads is not made yet");
 }

@@ -42,6 +42,11 @@ bool hasAmbientRelief(const TechniqueRow& technique, const Parameters& parameter
     return parameters.ambientRelief != AmbientRelief::Off && technique.readsNormals && !technique.isEngine();
 }
 
+bool readsHorizons(const TechniqueRow& technique, const Parameters& parameters)
+{
+    return hasHorizonShadows(technique, parameters) || hasAmbientRelief(technique, parameters);
+}
+
 float turnedYaw(const Parameters& parameters, const LightMembers& light)
 {
     const float yaw = parameters.*light.yaw + parameters.lightTurn;

@@ -56,6 +56,8 @@ bool hasSelfShadows(const TechniqueRow& technique, const Parameters& parameters)
 bool hasHorizonShadows(const TechniqueRow& technique, const Parameters& parameters);
 // Whether the relief takes from the light of the surroundings: not where there is none to be seen.
 bool hasAmbientRelief(const TechniqueRow& technique, const Parameters& parameters);
+// Either of the two, so that the map of horizons is needed.
+bool readsHorizons(const TechniqueRow& technique, const Parameters& parameters);
 
 // As the light has turned, in [-180, 180].
 float turnedYaw(const Parameters& parameters, const LightMembers& light);

@@ -262,7 +262,8 @@ private:
             told.push_back({"technique-left-out", left});
         if (!isOneDirectional(m_parameters) && says("fragment"))
             told.push_back({"lights-left-out", std::string(kLightsLeftOut)});
-        if ((m_parameters.ambientRelief != AmbientRelief::Off || m_parameters.shadowSearch == ShadowSearch::Horizon) && says("fragment"))
+        if (const TechniqueRow* technique = findTechnique(techniqueOf(m_job));
+            technique && readsHorizons(*technique, m_parameters) && says("fragment"))
             told.push_back({"horizons-left-out", std::string(kHorizonsLeftOut)});
         if (m_parameters.rotation != 0.f && !says("rotation"))
             told.push_back({"rotation-lost", std::string(m_row.label) + " is not told the material's turn: turn the UVs of the mesh."});

@@ -138,6 +138,7 @@ Expected<BakedDepths> bakeDepths(const MeshSurface& surface, const ObjectOptions
     const MeshShells shells = shellsOf(mesh, isCut);
     progress.at(0.2f);
     BakedDepths baked;
+    baked.box = *box;
     tellOfMesh(shells, *box, baked.warnings);
     ReliefObject& object = baked.object;
     object.center = box->center;

@@ -4,6 +4,7 @@
 #pragma once
 #include "core/ground/progress.h"
 #include "core/object/bake/mesh_surface.h"
+#include "core/object/bake/object_box.h"
 #include "core/object/relief_object.h"
 
 namespace relievo {
@@ -30,6 +31,7 @@ std::array<bool, 3> axesOf(ObjectSides sides);
 // Warnings: "open-mesh", "facing-inwards", "flat-mesh", "layers-merged". Errors: cancelled; a mesh without extent; options out of range.
 struct BakedDepths {
     ReliefObject object;
+    ObjectBox box; // the object's
     Warnings warnings;
 };
 Expected<BakedDepths> bakeDepths(const MeshSurface& surface, const ObjectOptions& options, const Progress& progress = {});
