@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/frame.h"
+#include "core/object/object_file.h"
 #include "render/gl/driver_limits.h"
 #include "render/gl/texture_units.h"
 #include "render/pane_values.h"
@@ -9,6 +10,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/ext/vector_float2.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 namespace relievo {
 
@@ -71,6 +73,13 @@ SceneUniforms uniformsOf(const Frame& frame)
         = sceneUniforms(frame.parameters, shotCamera(frame.request.camera(), frame), frame.request.resources().mesh->metresPerUV);
     uniforms.lookDirection = (frame.request.camera().target - frame.request.camera().eye) / frame.request.camera().distance;
     setLights(uniforms, frame.parameters, around(frame.request.resources().mesh->boundsMin, frame.request.resources().mesh->boundsMax));
+    if (const auto& maps = frame.request.resources().mesh->object) {
+        const auto& half = maps->object.half;
+        const glm::dmat4 worldFromBox(
+            glm::dvec4(half[0], 0.), glm::dvec4(half[1], 0.), glm::dvec4(half[2], 0.), glm::dvec4(maps->object.center, 1.));
+        uniforms.worldFromBox = worldFromBox;
+        uniforms.boxFromWorld = glm::inverse(worldFromBox);
+    }
     uniforms.pushOut = frame.technique.displaces ? (1.f - frame.parameters.midlevel) * uniforms.reliefDepth : 0.f;
     uniforms.heatScale = 1.f / heatRange(frame.parameters, frame.view);
     uniforms.sampleTurn = target.jitter.x;
@@ -105,7 +114,13 @@ Expected<Frame> prepareFrame(DrawContext& context, const DrawRequest& request)
         .acceleration = nullptr,
         .horizons = nullptr};
     const EnumSet<MapKind> maps = presentMaps(*resources.material);
-    if ((technique->needsHeights() || view->isAgainstExact) && !maps.contains(MapKind::Height))
+    if (technique->isOfObjects != bool(resources.mesh->object))
+        return failure(resources.mesh->name,
+            std::string(technique->label) + (technique->isOfObjects ? " draws relief objects, and this is a mesh" : " cannot draw a relief object"),
+            "Choose another technique");
+    if (technique->isOfObjects && view->isAgainstExact && view->fileOnMesh.empty())
+        return failure(resources.mesh->name, "of relief objects there is no view \"" + std::string(view->label) + "\"", "Choose another view");
+    if ((technique->needsHeights() || (view->isAgainstExact && !technique->isOfObjects)) && !maps.contains(MapKind::Height))
         return failure(state.name,
             std::string(technique->label) + (view->isAgainstExact ? "'s error" : "") + " needs a height map and the material has none",
             "Assign one, or choose Flat or Bump");

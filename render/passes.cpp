@@ -65,6 +65,11 @@ private:
 void drawMesh(DrawContext& context, Frame& frame, const ProgramFeatures& features, const SceneUniforms& uniforms, bool intoShadowMap)
 {
     MeshDrawing drawing(context, frame, features, uniforms);
+    if (frame.technique.isOfObjects) { // seen through its far faces: each ray once, from inside too
+        const ScopedEnable culling(GL_CULL_FACE);
+        glCullFace(GL_FRONT);
+        return drawing.all(false);
+    }
     const bool covers = features.curved || (features.variant(&Parameters::depthOfHit) != 0 && !features.maps.contains(MapKind::Opacity));
     if (!covers && context.mesh.isFinerThanPixels())
         return drawing.all(false);

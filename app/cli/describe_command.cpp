@@ -22,10 +22,13 @@ namespace {
 Table techniques()
 {
     Table table;
-    for (const TechniqueRow& row : kTechniques)
+    const auto add = [&table](const TechniqueRow& row) {
         table.push_back({{"key", row.key}, {"label", row.label}, {"group", row.group()}, {"maps", keysOf(row.maps)},
             {"bound", row.accelerationMap}, {"parameters", keysOf(row.parameters)}, {"displaces", row.displaces},
             {"searches", row.searches}, {"canMiss", row.canMiss}, {"isExact", row.isExact}, {"paper", row.paper}, {"help", row.help}});
+    };
+    std::ranges::for_each(kTechniques, add);
+    std::ranges::for_each(kObjectTechniques, add);
     return table;
 }
 

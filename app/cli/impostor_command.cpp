@@ -3,8 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "core/exporters/object_files.h"
-#include "core/state/shapes.h"
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -23,14 +21,13 @@ struct ImpostorOptions {
 Result<Exported> impostor(const ImpostorOptions& options)
 {
     const Progress progress = shownProgress(options.common);
-    const bool isShape = std::ranges::count(kShapes, options.mesh) > 0;
     auto mesh = openMesh(options.mesh, progress.part(0.f, 0.15f));
     if (!mesh)
         return problem(mesh.error());
     const auto surface = MeshSurface::load(*mesh, progress.part(0.15f, 0.2f));
     if (!surface)
         return problem(surface.error());
-    ObjectJob job{&*surface, options.object, options.out, isShape ? "" : options.mesh, progress.part(0.2f, 1.f)};
+    ObjectJob job{&*surface, options.object, options.out, options.mesh, progress.part(0.2f, 1.f)};
     job.options.sides = ObjectSides(options.sides);
     auto written = writeObject(job);
     if (!written)
@@ -46,7 +43,7 @@ nlohmann::ordered_json toJson(const ImpostorOptions& options, const Exported& wr
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const std::filesystem::path& file : written.files)
         files.push_back(file.string());
-    return {{"mesh", options.mesh}, {"object", written.files.back().string()}, {"sides", options.sides}, {"layers", options.object.layers},
+    return {{"mesh", options.mesh}, {"object", written.files.back().string()}, {"project", written.files.end()[-2].string()}, {"sides", options.sides}, {"layers", options.object.layers},
         {"size", options.object.size}, {"files", files}, {"warnings", warningsJson(written.warnings)}};
 }
 

@@ -96,10 +96,12 @@ void TopBar::addTableMenus()
 // The menus above are filled when they open; their keys work always.
 void TopBar::addKeys(QWidget* window)
 {
-    const QVector<const TechniqueRow*> techniques = drawnTechniques();
-    for (int i = 0; i < techniques.size() && !techniqueKeys(i).isEmpty(); ++i)
-        connect(new QShortcut(techniqueKeys(i), window), &QShortcut::activated, this,
-            [this, row = techniques[i]] { Q_EMIT techniqueChosen(*row); });
+    for (int i = 0; !techniqueKeys(i).isEmpty(); ++i)
+        connect(new QShortcut(techniqueKeys(i), window), &QShortcut::activated, this, [this, i] {
+            const TechniqueRow* now = findTechnique(m_technique);
+            if (const auto techniques = drawnTechniques(now && now->isOfObjects); i < techniques.size())
+                Q_EMIT techniqueChosen(*techniques[i]);
+        });
     for (std::size_t i = 0; i < kViews.size() && !viewKeys(i).isEmpty(); ++i)
         connect(new QShortcut(viewKeys(i), window), &QShortcut::activated, this, [this, i] { Q_EMIT viewChosen(kViews[i]); });
     for (const std::size_t count : kPaneCounts)

@@ -10,6 +10,8 @@
 #include "core/object/object_file.h"
 #include "core/object/object_sides.h"
 #include "core/scene/inputs.h"
+#include "core/state/shapes.h"
+#include "core/state/state_json.h"
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <oneapi/tbb/parallel_for.h>
@@ -30,7 +32,8 @@ class Writer {
 public:
     explicit Writer(const ObjectJob& job) : m_job(job), m_stem(fileStem(job.surface->mesh().name))
     {
-        m_read.push_back(job.meshFile);
+        if (!isShape())
+            m_read.push_back(job.source);
         for (const MeshMaterial& material : job.surface->mesh().materials)
             for (const fs::path& file : filesOf(material.maps))
                 m_read.push_back(file);
@@ -51,7 +54,10 @@ public:
             if (const auto written = writeAxis(*depths, axis, m_job.progress.part(first, last)); !written)
                 return tl::unexpected(written.error());
         }
-        if (const auto written = writeJson(depths->object); !written)
+        const fs::path object = absolutePath(m_job.folder / (m_stem + std::string(kObjectSuffix)));
+        if (const auto written = writeProject(object); !written)
+            return tl::unexpected(written.error());
+        if (const auto written = writeJson(depths->object, object); !written)
             return tl::unexpected(written.error());
         m_made.keep();
         m_exported.warnings = std::move(depths->warnings);
@@ -60,6 +66,17 @@ public:
     }
 
 private:
+    bool isShape() const { return std::ranges::count(kShapes, m_job.source) > 0; }
+
+    // As the object's file names it: relative where that is possible.
+    std::string toldSource() const
+    {
+        if (isShape() || m_job.source.empty())
+            return m_job.source;
+        const fs::path file = absolutePath(m_job.source), relative = file.lexically_relative(absolutePath(m_job.folder));
+        return (relative.empty() ? file : relative).generic_string();
+    }
+
     Expected<void> writeAxis(const BakedDepths& depths, std::size_t axis, const Progress& progress)
     {
         auto looks = bakePictures(*m_job.surface, depths.box, axis, m_job.options, progress.part(0.f, 0.4f));
@@ -118,10 +135,33 @@ private:
         return result;
     }
 
-    Expected<void> writeJson(const ReliefObject& object)
+    Expected<void> willWrite(const fs::path& path)
+    {
+        if (const auto free = refuseToReplace(m_read, path); !free)
+            return free;
+        m_made.willMake(path);
+        m_exported.files.push_back(m_job.folder / path.filename());
+        return {};
+    }
+
+    // Shows the object where the mesh is, as large as it.
+    Expected<void> writeProject(const fs::path& object)
+    {
+        State state;
+        state.name = m_job.surface->mesh().name;
+        state.mesh = object.string();
+        state.parameters.ground = true;
+        fitTechniques(state);
+        const fs::path path = object.parent_path() / (m_stem + ".relievo");
+        const auto free = willWrite(path);
+        return free ? writeState(state, path) : free;
+    }
+
+    Expected<void> writeJson(const ReliefObject& object, const fs::path& path)
     {
         const auto numbers = [](glm::dvec3 v) { return Json{v.x, v.y, v.z}; };
         const Json document{{"relievoObject", 1}, {"name", m_job.surface->mesh().name}, {"unit", "m"},
+            {"mesh", toldSource()},
             {"box",
                 {{"center", numbers(object.center)},
                     {"halfAxes", {numbers(object.half[0]), numbers(object.half[1]), numbers(object.half[2])}}}},
@@ -135,11 +175,8 @@ private:
                 {{"x", "u along -z, v along -y"}, {"y", "u along +x, v along +z"}, {"z", "u along +x, v along -y"},
                     {"both", "the pictures of both sides of an axis lie on the same texels"}}},
             {"maps", m_maps}};
-        const fs::path path = m_job.folder / (m_stem + std::string(kObjectSuffix));
-        if (const auto free = refuseToReplace(m_read, path); !free)
+        if (const auto free = willWrite(path); !free)
             return free;
-        m_made.willMake(path);
-        m_exported.files.push_back(path);
         return writeAtomically(path, document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     }
 

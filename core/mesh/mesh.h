@@ -69,6 +69,7 @@ struct MeshMaterial {
 };
 
 struct Deformation; // pose.h
+struct ObjectMaps; // of a storey above: what meshes only carry along
 
 struct Mesh {
     std::string name;
@@ -85,6 +86,7 @@ struct Mesh {
     std::size_t fileVertices = 0; // distinct (position, normal, UV) tuples of the file, for `info`
     std::size_t repeatedVertices = 0; // vertices that the file writes out although an equal one exists (0 for STL, which cannot share)
     std::shared_ptr<const Deformation> deformation; // skeleton, morph targets and animations; null when the file has none
+    std::shared_ptr<const ObjectMaps> object; // the relief object whose box this is; null for all others
     Warnings warnings; // "uvs-made" (box projection), "normals-made", "triangles-dropped", "mesh-moved" (from far away) ...
 };
 

@@ -5,7 +5,9 @@
 #include "core/ground/file.h"
 #include "core/ground/json_depth.h"
 #include "core/image/files/image_file.h"
+#include "core/object/object_looks.h"
 #include "core/object/object_sides.h"
+#include "core/state/shapes.h"
 #include <nlohmann/json.hpp>
 
 namespace relievo {
@@ -17,6 +19,8 @@ constexpr const char* kCure = "Bake the object again by relievo impostor";
 
 struct Depths {
     fs::path file; // empty: not given
+    int channel = 0;
+    bool inverted = false; // told from the other end of the axis
     std::optional<Image> image;
 };
 using SideDepths = std::array<std::array<Depths, kMostLayers>, kObjectSides.size()>;
@@ -55,12 +59,18 @@ SideDepths depthsOf(const json& maps, const fs::path& folder)
     SideDepths depths;
     for (const json& map : maps) {
         const json kind = member(map, "kind"), side = member(map, "side"), name = member(map, "file"), layer = member(map, "layer");
-        if (kind != "depth" || !side.is_string() || !name.is_string() || !layer.is_number_integer())
+        const bool isPacked = kind == "packed";
+        if ((kind != "depth" && !isPacked) || !side.is_string() || !name.is_string() || !(layer.is_number_integer() || layer.is_null()))
             continue;
         const auto row = std::ranges::find(kObjectSides, side.get<std::string>(), &SideRow::key);
-        const auto number = layer.get<std::int64_t>();
-        if (row != kObjectSides.end() && number >= 1 && number <= kMostLayers)
-            depths[std::size_t(row - kObjectSides.begin())][std::size_t(number - 1)].file = folder / name.get<std::string>();
+        const auto number = layer.is_null() ? 1 : layer.get<std::int64_t>();
+        if (row == kObjectSides.end() || number < 1 || number > kMostLayers)
+            continue;
+        const std::size_t k = std::size_t(number - 1);
+        const fs::path file = folder / name.get<std::string>();
+        depths[std::size_t(row - kObjectSides.begin())][k] = {file, isPacked ? 3 : 0, member(map, "convention") == "height", {}};
+        if (isPacked) // both depths are told from the side
+            depths[2 * row->axis + (row->isBack ? 0 : 1)][k] = {file, 2, true, {}};
     }
     return depths;
 }
@@ -78,7 +88,7 @@ Expected<AxisMap> readAxis(SideDepths& depths, std::size_t axis, Warnings& warni
             auto read = readImage(side->file);
             if (!read)
                 return tl::unexpected(read.error());
-            side->image = std::move(read->image);
+            side->image = side->channel != 0 || side->inverted ? channelOf(read->image, side->channel, side->inverted) : std::move(read->image);
             if (!first)
                 first = side;
             else if (side->image->width != first->image->width || side->image->height != first->image->height)
@@ -103,14 +113,20 @@ Expected<AxisMap> readAxis(SideDepths& depths, std::size_t axis, Warnings& warni
 }
 } // namespace
 
-Expected<ObjectRead> readObject(const fs::path& file)
+namespace {
+Expected<json> readDocument(const fs::path& file)
 {
     const auto text = readText(file);
     if (!text)
         return tl::unexpected(text.error());
-    const json document = isNestedTooDeep(*text) ? json() : json::parse(*text, nullptr, false);
+    json document = isNestedTooDeep(*text) ? json() : json::parse(*text, nullptr, false);
     if (document.is_discarded() || !document.is_object() || !member(document, "relievoObject").is_number())
         return failure(ErrorCode::Unreadable, file.string(), "this is no relief object", kCure);
+    return document;
+}
+
+Expected<ObjectRead> objectOf(const json& document, const fs::path& file)
+{
     ObjectRead read;
     if (const auto box = readBox(member(document, "box"), file, read.object); !box)
         return tl::unexpected(box.error());
@@ -129,6 +145,77 @@ Expected<ObjectRead> readObject(const fs::path& file)
     if (member(document, "sides") == 1)
         std::erase_if(read.warnings, [](const Warning& warning) { return warning.code == "side-missing"; });
     return read;
+}
+
+struct LookRow {
+    std::string_view kind;
+    std::optional<Image> SideLook::*image;
+};
+constexpr std::array<LookRow, 3> kLooks
+    = {{{"color", &SideLook::color}, {"normal", &SideLook::normal}, {"roughness", &SideLook::roughness}}};
+
+std::string sourceOf(const json& document, const fs::path& folder)
+{
+    const json mesh = member(document, "mesh");
+    const std::string name = mesh.is_string() ? mesh.get<std::string>() : std::string();
+    return name.empty() || std::ranges::count(kShapes, name) > 0 ? name : absolutePath(folder / name).string();
+}
+
+// What the files do not bring: normals, of the depths.
+void completeLooks(ObjectMaps& maps)
+{
+    for (std::size_t side = 0; side < maps.looks.size(); ++side)
+        if (const SideRow& row = kObjectSides[side]; maps.object.axes[row.axis].isGiven() && !maps.looks[side].normal)
+            maps.looks[side].normal = normalsOfDepths(maps.object, row.axis, row.isBack);
+}
+
+// Without those that cannot be read, which are told.
+void readLooks(const json& named, const fs::path& folder, ObjectMaps& maps, const Progress& progress)
+{
+    for (std::size_t i = 0; i < named.size() && !progress.cancelled(); ++i) {
+        const json kind = member(named[i], "kind"), side = member(named[i], "side"), name = member(named[i], "file");
+        if (!kind.is_string() || !side.is_string() || !name.is_string())
+            continue;
+        const bool isPacked = kind == "packed"; // its normals
+        const auto look = std::ranges::find(kLooks, isPacked ? "normal" : kind.get<std::string>(), &LookRow::kind);
+        const auto row = std::ranges::find(kObjectSides, side.get<std::string>(), &SideRow::key);
+        if (look == kLooks.end() || row == kObjectSides.end())
+            continue;
+        auto read = readImage(folder / name.get<std::string>());
+        if (read && isPacked)
+            maps.looks[std::size_t(row - kObjectSides.begin())].normal = normalsOfXy(read->image);
+        else if (read)
+            maps.looks[std::size_t(row - kObjectSides.begin())].*look->image = std::move(read->image);
+        else
+            maps.warnings.push_back({"side-picture-missing", message(read.error())});
+        progress.at(float(i + 1) / float(named.size()));
+    }
+}
+} // namespace
+
+Expected<ObjectRead> readObject(const fs::path& file)
+{
+    const auto document = readDocument(file);
+    return document ? objectOf(*document, file) : tl::unexpected(document.error());
+}
+
+Expected<ObjectMaps> readObjectMaps(const fs::path& file, const Progress& progress)
+{
+    const auto document = readDocument(file);
+    if (!document)
+        return tl::unexpected(document.error());
+    auto read = objectOf(*document, file);
+    if (!read)
+        return tl::unexpected(read.error());
+    ObjectMaps maps{std::move(read->object), {}, {}, sourceOf(*document, file.parent_path()), std::move(read->warnings)};
+    progress.at(0.4f);
+    maps.texels = objectTexels(maps.object);
+    if (const json named = member(*document, "maps"); named.is_array())
+        readLooks(named, file.parent_path(), maps, progress.part(0.5f, 1.f));
+    completeLooks(maps);
+    if (progress.cancelled())
+        return cancelled(file.string());
+    return maps;
 }
 
 } // namespace relievo

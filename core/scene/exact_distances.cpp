@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/exact_distances.h"
+#include "core/object/object_file.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,14 +61,38 @@ ExactQuestion exactQuestion(const State& state, std::size_t pane, const Resource
 
 bool hasMeshReference(const State& state, const Resources& resources)
 {
-    return state.mesh != "plane" && resources.material->height;
+    return resources.mesh->object ? !resources.mesh->object->source.empty() : state.mesh != "plane" && resources.material->height;
 }
 
 namespace {
+// The mesh that an object stands for, as it is.
+Answer distancesOfSource(
+    const State& state, std::size_t pane, const Resources& resources, int width, int height, const Progress& progress)
+{
+    const std::string& source = resources.mesh->object->source;
+    if (source.empty())
+        return failure(state.mesh, "the object does not say what mesh it stands for", "Bake it again by relievo impostor");
+    const auto mesh = openMesh(source, progress.part(0.f, 0.4f));
+    if (!mesh)
+        return tl::unexpected(mesh.error());
+    const CameraView view = cameraOnto(*resources.mesh, cameraOf(state, pane), float(width) / float(height));
+    Parameters parameters;
+    parameters.depth = 0.f;
+    const auto surface = DisplacedMesh::build(*mesh, HeightField(1, 1, {1.f}), parameters, {}, progress.part(0.4f, 0.7f));
+    if (!surface)
+        return tl::unexpected(surface.error());
+    auto pixels = pixelDistances(*surface, view, width, height, progress.part(0.7f, 1.f));
+    if (!pixels)
+        return tl::unexpected(pixels.error());
+    return std::make_shared<const ExactDistances>(ExactDistances{exactQuestion(state, pane, resources, width, height), std::move(*pixels)});
+}
+
 // The last of the steps, or the first that leaves no doubt.
 Answer distances(std::span<const Step> steps, const State& state, std::size_t pane, const Resources& resources, int width, int height,
     Warnings& coarse, const Progress& progress)
 {
+    if (resources.mesh->object)
+        return distancesOfSource(state, pane, resources, width, height, progress);
     if (!resources.material->height)
         return failure(state.name, "there is no height map, so nothing is displaced", "Assign one");
     const Parameters parameters = effectiveParameters(state, pane);

@@ -25,7 +25,8 @@ struct ExactDistances {
     PixelDistances pixels;
 };
 
-// Whether the displaced mesh answers better than a search in the plane: for every mesh but the built-in plane. Needs a height map.
+// Whether the displaced mesh answers better than a search in the plane: for every mesh but the built-in plane. Needs a height map. Of a
+// relief object it is the mesh that it stands for, as it is.
 bool hasMeshReference(const State& state, const Resources& resources);
 
 // What the pane's camera sees of the displaced mesh, in a picture of that size.

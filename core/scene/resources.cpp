@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/resources.h"
+#include "core/scene/scene_mesh.h"
 #include "core/state/techniques.h"
 #include "core/trace/relief_room.h"
 #include <algorithm>
@@ -71,7 +72,7 @@ Expected<Resources> loadResources(const State& state, const DecodedImages& image
         resources.material = std::make_shared<const Material>(std::move(*material));
     }
     if (!resources.mesh || resources.meshName != state.mesh) {
-        auto mesh = openMesh(state.mesh, progress.part(0.7f, 0.8f));
+        auto mesh = openSceneMesh(state.mesh, progress.part(0.7f, 0.8f));
         if (!mesh)
             return tl::unexpected(mesh.error());
         resources.mesh = std::make_shared<const Mesh>(std::move(*mesh));

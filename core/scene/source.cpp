@@ -138,6 +138,18 @@ Expected<Opened> openMeshMaterial(const fs::path& file, const State& base, const
     opened.state.name = file.stem().string();
     return opened;
 }
+// A relief object has its pictures to itself: there are no maps.
+Opened openObject(const fs::path& file, const State& base)
+{
+    Opened opened{base, {}, {}};
+    opened.state.mesh = file.string();
+    opened.state.part.clear();
+    opened.state.slots = {};
+    const std::string name = file.filename().string();
+    opened.state.name = name.substr(0, name.size() - kObjectSuffix.size());
+    fitTechniques(opened.state);
+    return opened;
+}
 // A texture set of a SOURCE, whole or as far as it has been read.
 Opened openedSet(TextureSet set, const fs::path& path, const State& base)
 {
@@ -163,7 +175,7 @@ bool isBuiltInSource(std::string_view source)
 bool isMeshFile(const fs::path& file)
 {
     constexpr std::array<std::string_view, 6> suffixes = {".gltf", ".glb", ".obj", ".ply", ".stl", ".off"};
-    return std::ranges::count(suffixes, lowerSuffix(file)) > 0;
+    return std::ranges::count(suffixes, lowerSuffix(file)) > 0 || isObjectName(file.string());
 }
 
 bool isProjectFile(const fs::path& file)
@@ -184,6 +196,8 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
     const fs::path given = absolutePath(source), path = thatLooksLike(given).value_or(given);
     if (source.empty() || (!fs::exists(path, code) && !pictureMayExist(path)))
         return failure(ErrorCode::NotFound, source.empty() ? "SOURCE" : source, "there is no such file or folder", "Check the path");
+    if (isObjectName(path.string()))
+        return openObject(path, base);
     if (isMaterialFile(path))
         return openMaterial(path, base);
     if (std::optional<Error> foreign = foreignFile(path))

@@ -14,7 +14,7 @@
 namespace relievo {
 
 // SOURCE (resources/help/command-line.md, "Sources"): "*.relievo", a folder, an image of a set, a single image, "sample:KEY", "scene:KEY"
-// (presets.h), "hard:KEY" (hard_cases.h), a mesh file that brings textures, or an engine's material (materials/material_file.h). The result
+// (presets.h), "hard:KEY" (hard_cases.h), a mesh file that brings textures, NAME.object.json, or an engine's material (materials/material_file.h). The result
 // is `base` with the maps (and for a project everything) replaced. A sample also sets its depth.
 struct Opened {
     State state;
@@ -29,7 +29,7 @@ Expected<Opened> openSource(const std::string& source, const State& base, const 
 // Whether SOURCE names something made by formula: there is no file behind it.
 bool isBuiltInSource(std::string_view source);
 
-// Whether `file` is a mesh by its suffix (gltf glb obj ply stl off), for drag and drop and `info`.
+// Whether `file` is a mesh by its suffix (gltf glb obj ply stl off object.json), for drag and drop and `info`.
 bool isMeshFile(const std::filesystem::path& file);
 bool isProjectFile(const std::filesystem::path& file);
 

@@ -68,6 +68,12 @@ std::string uniformDeclarations(const std::string& text)
     declare("float", "slopeMapLevels");
     declare("sampler2DArray", "horizonMap"); // see horizon/horizons.glsl
     declare("float", "horizonMapLevels");
+    declare("samplerBuffer", "objectMap"); // of a relief object, see object/object_contract.glsl
+    if (mentionsIdentifier(text, "objectAxes"))
+        declarations += "uniform ivec4 objectAxes[3];\nuniform int objectLevels[48];\n";
+    declare("sampler2DArray", "objectColorMap"); // of its sides
+    declare("sampler2DArray", "objectNormalMap"); // alpha: roughness
+    declare("float", "objectMapLevels");
     declare("samplerBuffer", "borderMap");
     declare("samplerBuffer", "prismMap"); // see view_ray/prisms.glsl
     declare("sampler2D", "prismImage"); // the same where there are no buffers

@@ -50,6 +50,21 @@ std::string mapFunctions(EnumSet<MapKind> maps, std::string_view text, bool pack
     return functions;
 }
 
+// The same of the pictures of a relief object's sides: seenSide is the one that is looked at, front and back of each axis in turn.
+std::string objectMapFunctions(std::string_view text)
+{
+    const auto fetch = [](std::string_view function, std::string_view map, std::string_view channels) {
+        return std::string(function) + "At(vec2 uv, float footprint) { return textureLod(" + std::string(map)
+            + ", vec3(uv, float(seenSide)), mapLevel(footprint + objectMapLevels))" + std::string(channels) + "; }\n";
+    };
+    std::string functions = "int seenSide = 0;\n" + fetch("vec3 color", "objectColorMap", ".rgb")
+        + fetch("vec3 normal", "objectNormalMap", ".rgb") + fetch("float roughness", "objectNormalMap", ".a");
+    for (const MapKindRow& row : kMapKinds)
+        if (const std::string name = std::string(row.key) + "At"; row.kind != MapKind::Height && mentionsIdentifier(text, name) && functions.find(name) == functions.npos)
+            functions += mapFunction(row, false, false, false);
+    return functions;
+}
+
 std::string_view normalsFile(EnumSet<MapKind> maps)
 {
     return maps.contains(MapKind::Normal) ? "surface/normals_from_map.glsl"
@@ -90,6 +105,10 @@ Assembly& displayFiles(Assembly& part, const ProgramFeatures& features)
 // The technique and what it reads the maps by, for pictures.
 void searchFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& view, const ProgramFeatures& features)
 {
+    if (technique.isOfObjects) {
+        part.file("object/object_texels_buffer.glsl").file(technique.file);
+        return;
+    }
     if (features.exported && features.dialect == Dialect::Es) {
         part.file("heights/heights_none.glsl");
         return exactFiles(part, technique, features.planes ? kPlanes : kExactEs,
@@ -111,13 +130,15 @@ void searchFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& v
 }
 
 // How a pixel's ray goes, and which pixels are cut out.
-void viewRayFiles(Assembly& part, const ViewRow& view, const ProgramFeatures& features)
+void viewRayFiles(Assembly& part, const TechniqueRow& technique, const ViewRow& view, const ProgramFeatures& features)
 {
-    const bool isCompared = view.isAgainstExact && !features.onMesh;
+    const bool isCompared = view.isAgainstExact && !features.onMesh && !technique.isOfObjects;
     if (isCompared)
         part.file("search/exact_walk.glsl");
     if (features.prisms)
         part.file(isCompared ? "view_ray/search_either.glsl" : "view_ray/search_own.glsl").file("view_ray/view_ray_prisms.glsl");
+    else if (technique.isOfObjects)
+        part.file("object/object_surface.glsl");
     else if (features.curved)
         part.file(features.borders ? "view_ray/borders_cut.glsl" : "view_ray/borders_none.glsl").file("view_ray/view_ray_curved.glsl");
     else
@@ -140,8 +161,11 @@ void shadowFiles(Assembly& part, const TechniqueRow& technique, const ProgramFea
     if (searches && features.horizonShadows) {
         part.file("horizon/shadow_above.glsl").file(several ? "horizon/several_horizon.glsl" : "horizon/shadow_horizon.glsl");
     } else if (searches) {
-        part.file(technique.isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
-            .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl");
+        if (technique.isOfObjects)
+            part.file("object/object_shadow.glsl");
+        else
+            part.file(technique.isExact ? "shadow/shadow_end_exact.glsl" : "shadow/shadow_end_bias.glsl")
+                .file(features.prisms ? "shadow/shadow_prisms.glsl" : "shadow/shadow_search.glsl");
         if (features.softShadows)
             part.file(several ? "shadow/several_soft.glsl" : "shadow/shadow_soft.glsl");
         else
@@ -167,7 +191,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     const auto body = [&](Assembly& part) {
         if (!technique->readsNormals)
             part.file("surface/normals_none.glsl");
-        else
+        else if (!technique->isOfObjects)
             part.file(normalsFile(features.maps));
         shadowFiles(part, *technique, features);
         if (view->light == ViewLight::All) {
@@ -179,7 +203,10 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
             part.file(features.severalLights ? "lights/lights_several.glsl" : "lights/lights_one.glsl").file("lights/shade.glsl");
         }
         const bool several = features.severalLights && !view->fileOfSeveral.empty();
-        part.file(several ? view->fileOfSeveral : features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
+        if (technique->isOfObjects && view->isAgainstExact)
+            part.file(features.onMesh ? "object/object_error.glsl" : "object/object_unknown.glsl");
+        else
+            part.file(several ? view->fileOfSeveral : features.onMesh && !view->fileOnMesh.empty() ? view->fileOnMesh : view->file);
     };
     Assembly draft(read, features.dialect);
     draft.file("view_ray/holes_cut.glsl");
@@ -196,11 +223,16 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     if (features.exported)
         part.generated(kTechniqueEnds);
     part.file("surface/surface.glsl");
-    variantFiles(part, features, ShaderPlace::Surface);
-    part.generated(mapFunctions(features.maps, drafted->text, features.planes));
+    if (technique->isOfObjects) // what the others choose is the mesh's
+        part.file(kParameters[indexOf(&Parameters::mipMapping)].shader.files[features.variant(&Parameters::mipMapping)])
+            .generated(objectMapFunctions(drafted->text));
+    else
+        variantFiles(part, features, ShaderPlace::Surface);
+    if (!technique->isOfObjects)
+        part.generated(mapFunctions(features.maps, drafted->text, features.planes));
     const long hundredths = std::lround(100.f * technique->meshDepth()); // as whole numbers, which no locale writes otherwise
     part.generated("const float meshDepth = " + std::to_string(hundredths) + ".0f / 100.0f;\n");
-    viewRayFiles(part, *view, features);
+    viewRayFiles(part, *technique, *view, features);
     body(part);
     if (view->isHeat)
         part.file("output/heat.glsl")
@@ -211,7 +243,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
         displayFiles(part, features).generated("vec3 writeView(Surface s) { return toDisplay(throughLens(viewColor(s), -s.toEye)); }");
     else
         part.generated("vec3 writeView(Surface s) { return viewColor(s); }");
-    return part.file("output/main.glsl").finish();
+    return part.file(technique->isOfObjects ? "object/object_main.glsl" : "output/main.glsl").finish();
 }
 
 Expected<ShaderText> meshVertex(const ProgramFeatures& features, const ShaderReader& read)
@@ -273,7 +305,7 @@ ProgramFeatures programFeatures(
         = [&](auto has) { return std::ranges::any_of(kLights, [&](auto& one) { return isLit(parameters, one) && has(one); }); };
     const auto isSoft = [&](const LightMembers& light) { return parameters.*light.shadows && parameters.*light.size > 0.f; };
     const bool selfShadows = shadowed && hasSelfShadows(technique, parameters);
-    const bool curved = parameters.silhouettes != Silhouettes::Off && technique.hasShadowsAndOutlines();
+    const bool curved = parameters.silhouettes != Silhouettes::Off && technique.hasSilhouettes();
     ProgramFeatures features{.technique = std::string(technique.key),
         .view = std::string(view.key),
         .maps = maps,
@@ -292,6 +324,11 @@ ProgramFeatures programFeatures(
             features.setVariant(row.member, variantOf(row, get(parameters, row)));
     if (!technique.displaces)
         features.setVariant(&Parameters::depthOfHit, 0);
+    if (technique.isOfObjects) { // what is chosen of the mesh's surface
+        features.setVariant(&Parameters::frames, 0), features.setVariant(&Parameters::edgeFade, 0);
+        features.coarser = features.clamps = false;
+        features.maps = {};
+    }
     if (!maps.contains(MapKind::Normal))
         features.setVariant(&Parameters::normalFiltering, 0);
     if (!maps.contains(MapKind::Height) || !hasAmbientRelief(technique, parameters))

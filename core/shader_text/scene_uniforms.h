@@ -31,6 +31,8 @@ struct SceneUniforms {
     float lightCount = 0.f; // of several lights (setLights); one directional light is lightDirection
     std::array<glm::mat4, kMostLights> lights{}; // what each is, column by column: where or whither, w: near; radiance, size; axis, cone's
                                                  // edge; cone's slope, least distance, casts, passes (shaders/shading/light_table.glsl)
+    glm::mat4 worldFromBox{1.f}; // of a relief object, whose box reaches from -1 to 1; 1 without
+    glm::mat4 boxFromWorld{1.f};
     float sampleTurn = 0.f; // of noise from sample to sample, share of a whole turn; 0 in a picture of one sample
 };
 
@@ -58,6 +60,8 @@ inline constexpr auto kSceneUniforms = std::to_array<SceneUniformRow>({
     {&SceneUniforms::shadowTexel, "shadowTexel"},
     {&SceneUniforms::lightCount, "lightCount"},
     {&SceneUniforms::lights, "lights"},
+    {&SceneUniforms::worldFromBox, "worldFromBox"},
+    {&SceneUniforms::boxFromWorld, "boxFromWorld"},
     {&SceneUniforms::sampleTurn, "sampleTurn"},
 });
 

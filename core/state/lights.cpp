@@ -34,12 +34,12 @@ bool hasSelfShadows(const TechniqueRow& technique, const Parameters& parameters)
 
 bool hasHorizonShadows(const TechniqueRow& technique, const Parameters& parameters)
 {
-    return parameters.shadowSearch == ShadowSearch::Horizon && hasSelfShadows(technique, parameters);
+    return parameters.shadowSearch == ShadowSearch::Horizon && !technique.isOfObjects && hasSelfShadows(technique, parameters);
 }
 
 bool hasAmbientRelief(const TechniqueRow& technique, const Parameters& parameters)
 {
-    return parameters.ambientRelief != AmbientRelief::Off && technique.readsNormals && !technique.isEngine();
+    return parameters.ambientRelief != AmbientRelief::Off && technique.readsNormals && !technique.isEngine() && !technique.isOfObjects;
 }
 
 bool readsHorizons(const TechniqueRow& technique, const Parameters& parameters)

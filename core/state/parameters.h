@@ -37,6 +37,8 @@ struct Parameters { // the initialisers ARE the defaults
     bool safeBalls = false;
     bool offsetLimiting = false;
     bool heightMips = true;
+    bool crossDiscard = true;
+    float sideTolerance = 0.01f;
     // On the mesh
     Frames frames = Frames::Vertex;
     Silhouettes silhouettes = Silhouettes::Off;
@@ -523,6 +525,24 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .affects = {Affects::ProgramText, Affects::ShadowMap},
         .shown = {.byTechnique = true},
         .help = "Searches a coarser mip level of the height map where it is minified."},
+    {.member = &Parameters::crossDiscard,
+        .key = "crossDiscard",
+        .label = "Discard across sides",
+        .group = Group::Search,
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true},
+        .help = "What a side of a relief object finds is dropped where the sides at right angles to it say that nothing is there (RTM "
+                "report, section 5.2). Off: only the side that the ray enters by is searched, the report's naive form."},
+    {.member = &Parameters::sideTolerance,
+        .key = "sideTolerance",
+        .label = "Discard tolerance",
+        .group = Group::Search,
+        .max = 0.2f,
+        .unit = "box",
+        .affects = {Affects::Search, Affects::ShadowMap},
+        .shown = {.byTechnique = true, .when = Condition(&Parameters::crossDiscard, true)},
+        .help = "How far outside of the other sides' solid a point may lie and still count, as a share of the box's length: more closes "
+                "holes and thickens outlines."},
 
     {.member = &Parameters::frames,
         .key = "frames",

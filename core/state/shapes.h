@@ -8,7 +8,7 @@
 namespace relievo {
 
 // Made by formula, largest size 1 m, centred, y up.
-inline constexpr std::array<std::string_view, 9> kShapes
-    = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character", "room"};
+inline constexpr std::array<std::string_view, 10> kShapes
+    = {"plane", "sphere", "cylinder", "torus", "box", "teapot", "spheres", "character", "room", "knight"};
 
 } // namespace relievo

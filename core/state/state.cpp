@@ -2,11 +2,25 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/state.h"
+#include "core/state/techniques.h"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace relievo {
+
+bool isObjectName(std::string_view mesh)
+{
+    return mesh.ends_with(kObjectSuffix);
+}
+
+void fitTechniques(State& state)
+{
+    const bool isObject = isObjectName(state.mesh);
+    for (Pane& pane : state.panes)
+        if (const TechniqueRow* technique = findTechnique(pane.technique); technique && technique->isOfObjects != isObject)
+            pane.technique = isObject ? std::string(kObjectTechniques.front().key) : Pane{}.technique;
+}
 
 Parameters effectiveParameters(const State& state, std::size_t pane)
 {

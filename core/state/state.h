@@ -48,6 +48,12 @@ struct State {
     bool operator==(const State&) const = default;
 };
 
+// Whether a State's mesh is a relief object (resources/help/objects.md), by its name.
+inline constexpr std::string_view kObjectSuffix = ".object.json"; // of NAME.object.json
+bool isObjectName(std::string_view mesh);
+// Panes whose technique cannot draw the State's mesh get one that can: relief objects have techniques of their own.
+void fitTechniques(State& state);
+
 // The parameters that pane `index` is drawn with: the shared ones under the pane's overrides.
 Parameters effectiveParameters(const State& state, std::size_t pane);
 // The camera that it is seen by: its own, or the shared one.

@@ -10,7 +10,8 @@ namespace relievo {
 const TechniqueRow* findTechnique(std::string_view key)
 {
     const auto found = std::ranges::find(kTechniques, key, &TechniqueRow::key);
-    return found == kTechniques.end() ? nullptr : &*found;
+    const auto ofObjects = std::ranges::find(kObjectTechniques, key, &TechniqueRow::key);
+    return found != kTechniques.end() ? &*found : ofObjects != kObjectTechniques.end() ? &*ofObjects : nullptr;
 }
 
 const ViewRow* findView(std::string_view key)

@@ -28,16 +28,19 @@ struct TechniqueRow {
     // counts from where white would lie. Finest mip level only: a pane's heightMips is off.
     std::string_view engine = {};
     float zero = 1.f; // height that lies on the mesh of such a technique
+    bool isOfObjects = false; // draws a relief object, and nothing else; its file defines traceObject (shaders/object/object_contract.glsl)
 
     constexpr bool needsHeights() const { return maps.contains(MapKind::Height); }
     constexpr bool isEngine() const { return !engine.empty(); }
     constexpr bool hasShadowsAndOutlines() const { return searches && !isEngine(); } // its search is asked for them; engines draw none
+    constexpr bool hasSilhouettes() const { return hasShadowsAndOutlines() && !isOfObjects; } // the mesh can be cut away
     // Depth below white of the mesh that is drawn, share.
     constexpr float meshDepth() const { return isEngine() && !displaces ? 1.f - zero : 0.f; }
     // What the technique list is divided by.
     constexpr std::string_view group() const
     {
         return isEngine()              ? "As engines draw it"
+            : isOfObjects              ? "Relief object"
             : isExact                  ? "Exact"
             : !accelerationMap.empty() ? "Search with a baked map"
             : searches                 ? "Search in steps"

@@ -289,7 +289,42 @@ inline constexpr auto kTechniques = std::to_array<TechniqueRow>({
         .help = "The exact answer that all others are measured against. CPU only."},
 });
 
-const TechniqueRow* findTechnique(std::string_view key); // nullptr when unknown
+// What draws relief objects (core/object) instead of meshes with heights; the first one where none is named.
+inline constexpr auto kObjectTechniques = std::to_array<TechniqueRow>({
+    {.key = "object",
+        .label = "Object, exact",
+        .file = "object/object.glsl",
+        .parameters = {&Parameters::shadows},
+        .paper = "Own: one pass over the axes in turn; after the RTM report, section 5, and Policarpo and Oliveira 2006",
+        .searches = true,
+        .canMiss = true,
+        .isExact = true,
+        .help = "A relief object in one pass: each axis moves the ray on to where its own solid begins, past all that a pyramid of bounds "
+                "says is empty, until all agree. Finds the true first hit.",
+        .isOfObjects = true},
+    {.key = "object-steps",
+        .label = "Object, steps",
+        .file = "object/object-steps.glsl",
+        .parameters = {&Parameters::maxSteps, &Parameters::refineSteps, &Parameters::shadows},
+        .paper = "Policarpo and Oliveira 2006, Relief Mapping of Non-Height-Field Surface Details",
+        .searches = true,
+        .canMiss = true,
+        .help = "A relief object in one pass of equal steps through the box: thin parts between two steps are missed.",
+        .isOfObjects = true},
+    {.key = "object-sides",
+        .label = "Object, by sides",
+        .file = "object/object-sides.glsl",
+        .parameters
+        = {&Parameters::maxSteps, &Parameters::refineSteps, &Parameters::crossDiscard, &Parameters::sideTolerance, &Parameters::shadows},
+        .paper = "RTM report, section 5.2",
+        .searches = true,
+        .canMiss = true,
+        .help = "A relief object side by side, as the report has it: each axis is searched alone, and what it finds is dropped where the "
+                "others say that nothing is there. Leaves holes.",
+        .isOfObjects = true},
+});
+
+const TechniqueRow* findTechnique(std::string_view key); // of either table; nullptr when unknown
 
 // Whether the technique takes part where none is named: all that a shader draws, but for engines'.
 constexpr bool isChoice(const TechniqueRow& technique)

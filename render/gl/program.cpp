@@ -100,6 +100,14 @@ void LinkedProgram::set(const char* name, const std::vector<glm::vec4>& values) 
         glUniform4fv(at, GLsizei(values.size()), &values.front().x);
 }
 
+void LinkedProgram::set(const std::array<glm::ivec4, 3>& objectAxes, const std::array<int, 48>& objectLevels) const
+{
+    if (const GLint at = glGetUniformLocation(*m_program, "objectAxes"); at >= 0)
+        glUniform4iv(at, GLsizei(objectAxes.size()), &objectAxes.front().x);
+    if (const GLint at = glGetUniformLocation(*m_program, "objectLevels"); at >= 0)
+        glUniform1iv(at, GLsizei(objectLevels.size()), objectLevels.data());
+}
+
 bool LinkedProgram::bind(const char* sampler, GLenum target, GLuint texture, int unit) const
 {
     const GLint at = glGetUniformLocation(*m_program, sampler);

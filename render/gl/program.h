@@ -20,6 +20,7 @@ public:
     void set(const SceneUniforms& uniforms) const;
     void set(const char* name, float value) const;
     void set(const char* name, const std::vector<glm::vec4>& values) const; // of an array, from its first element on
+    void set(const std::array<glm::ivec4, 3>& objectAxes, const std::array<int, 48>& objectLevels) const; // core/object/object_texels.h
     // Binds to a texture unit when the program reads `name`; returns whether it does.
     bool bind(const char* sampler, GLenum target, GLuint texture, int unit) const;
     bool reads(const char* name) const { return glGetUniformLocation(*m_program, name) >= 0; }

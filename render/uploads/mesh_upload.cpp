@@ -118,6 +118,8 @@ void MeshUpload::bind(const LinkedProgram& program, const Parameters& parameters
 {
     if (m_mesh->deformation && program.reads("poseMap"))
         m_pose.bind(program, *m_mesh, poseOf(*m_mesh, parameters), curvature);
+    if (m_mesh->object)
+        m_object.bind(program, *m_mesh->object);
     if (program.reads("prismMap"))
         bindPrisms(program, poseOf(*m_mesh, parameters), part);
     if (program.reads("borderMap") && hasBorders())

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/mesh/animation/pose.h"
+#include "render/uploads/object_upload.h"
 #include "render/uploads/pose_upload.h"
 #include <array>
 #include <memory>
@@ -54,6 +55,7 @@ private:
     std::optional<std::pair<Pose, std::string>> m_prismsAre; // of this pose and part
     std::vector<std::uint32_t> m_across; // core/mesh/edges/across.h
     PoseUpload m_pose;
+    ObjectUpload m_object;
 };
 
 } // namespace relievo

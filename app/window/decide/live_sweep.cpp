@@ -91,9 +91,9 @@ void LiveSweep::begin()
     const Resources& resources = m_assets.resources();
     if (!m_assets.ready() || !m_assets.upToDate())
         return tell(tr("Waits for the files"));
-    if (!resources.material->height) {
+    if (!resources.material->height || resources.mesh->object) {
         m_points.clear();
-        return tell(tr("There is no height map to search."));
+        return tell(resources.mesh->object ? tr("A relief object is searched by itself, not by a height map.") : tr("There is no height map to search."));
     }
     const std::size_t pane = std::size_t(m_viewport.activePane());
     const State state = ofPane(m_document.state(), pane);

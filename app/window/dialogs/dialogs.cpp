@@ -24,7 +24,7 @@ constexpr FileKindRow kFileKinds[] = {
         "relievo png jpg jpeg tif tiff tga bmp exr hdr dds gltf glb obj tres mat material mtlx json babylon"},
     {"project", "Projects", "relievo"},
     {"image", "Images", kImages},
-    {"mesh", "Meshes", "gltf glb obj ply stl off"},
+    {"mesh", "Meshes and relief objects", "gltf glb obj ply stl off object.json"},
     {"panorama", "Panoramas", "hdr exr"},
     {"preset", "Presets", "json relievo"},
     {"target", "Targets", "tpl json"},

@@ -99,6 +99,7 @@ void Document::edit(const QString& text, const std::function<void(State&)>& chan
 {
     State after = m_state;
     change(after);
+    fitTechniques(after);
     State sameCamera = after;
     keepCameraAndMoment(sameCamera, m_state);
     if (sameCamera == m_state) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/stand_ins.h"
+#include "core/scene/scene_mesh.h"
 #include "core/gltf/buffers.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/text.h"
@@ -162,7 +163,7 @@ Expected<Shown> loadWhatIsThere(const State& state, const DecodedImages& images,
     const bool otherMesh = !loaded.mesh || loaded.meshName != state.mesh || staleMesh;
     const bool otherSky = !loaded.environment || loaded.environmentName != state.environment || shown.stale.contains(state.environment);
     if (const auto mesh = load(loaded.mesh, loaded.meshName, shown.mesh, state.mesh, staleMesh, "plane",
-            [&](const std::string& name) { return openMesh(name, progress.part(0.f, 0.2f)); });
+            [&](const std::string& name) { return openSceneMesh(name, progress.part(0.f, 0.2f)); });
         !mesh)
         return tl::unexpected(mesh.error());
     if (const auto environment

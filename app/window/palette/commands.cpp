@@ -52,7 +52,7 @@ void addActions(std::vector<Command>& commands, MainWindow& window)
 
 void addChoices(std::vector<Command>& commands, MainWindow& window)
 {
-    for (const TechniqueRow* row : drawnTechniques())
+    for (const TechniqueRow* row : drawnTechniques(isObjectName(window.document().state().mesh)))
         commands.push_back({QObject::tr("Technique: %1").arg(qt(row->label)), qt(row->group()), qt(row->key),
             [&window, row] { window.setTechnique(row->key); }});
     for (const ViewRow& row : kViews)

@@ -23,12 +23,14 @@ void addChoice(QMenu& menu, const Row& row, const QKeySequence& keys, const std:
 }
 } // namespace
 
-QVector<const TechniqueRow*> drawnTechniques()
+QVector<const TechniqueRow*> drawnTechniques(bool ofObjects)
 {
     QVector<const TechniqueRow*> rows;
-    for (const TechniqueRow& row : kTechniques)
+    const auto add = [&rows](const TechniqueRow& row) {
         if (!row.file.empty())
             rows.append(&row);
+    };
+    ofObjects ? (void)std::ranges::for_each(kObjectTechniques, add) : (void)std::ranges::for_each(kTechniques, add);
     return rows;
 }
 
@@ -46,7 +48,8 @@ QKeySequence viewKeys(std::size_t index)
 void fillTechniques(QMenu& menu, const std::string& current, const std::function<void(const TechniqueRow&)>& chosen)
 {
     menu.setToolTipsVisible(true);
-    const QVector<const TechniqueRow*> rows = drawnTechniques();
+    const TechniqueRow* ticked = findTechnique(current);
+    const QVector<const TechniqueRow*> rows = drawnTechniques(ticked && ticked->isOfObjects);
     for (int i = 0; i < rows.size(); ++i) {
         if (i == 0 || rows[i]->group() != rows[i - 1]->group()) {
             if (i > 0)

@@ -4,6 +4,7 @@
 #include "core/mesh/shapes/shapes.h"
 #include "core/mesh/frames/frames.h"
 #include "core/mesh/shapes/character.h"
+#include "core/mesh/shapes/knight.h"
 #include "core/mesh/shapes/room.h"
 #include "core/mesh/shapes/shape_grid.h"
 #include "core/mesh/shapes/teapot.h"
@@ -111,6 +112,7 @@ constexpr ShapeRow kRows[] = {
     {"spheres", "Spheres", makeSpheres},
     {"character", "Character", makeCharacter},
     {"room", "Room", makeRoom},
+    {"knight", "Knight", makeKnight},
 };
 static_assert(std::size(kRows) == kShapes.size());
 } // namespace

@@ -27,7 +27,7 @@ fs::path written(const Scratch& scratch, const Mesh& mesh, const ObjectOptions& 
 {
     const auto surface = MeshSurface::load(mesh, {});
     EXPECT_TRUE(surface);
-    const auto exported = writeObject({&*surface, options, scratch.path / "out", {}, {}});
+    const auto exported = writeObject({&*surface, options, scratch.path / "out", "", {}});
     EXPECT_TRUE(exported) << (exported ? "" : message(exported.error()));
     return exported ? exported->files.back() : fs::path();
 }

@@ -1,0 +1,176 @@
+// The searches that pictures of relief objects are drawn by, against the exact one in double precision.
+// SPDX-FileCopyrightText: The Relievo authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/object/object_shader.h"
+#include "core/object/object_search.h"
+#include "core/state/techniques.h"
+#include "tests/core/object/object_support.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <random>
+
+using namespace relievo;
+using namespace relievo::test;
+
+namespace {
+using Random = std::mt19937;
+
+glm::dvec3 anyDirection(Random& random)
+{
+    std::normal_distribution<double> value;
+    return glm::normalize(glm::dvec3(value(random), value(random), value(random)));
+}
+
+std::vector<Solid> anySolids(Random& random, int count)
+{
+    std::uniform_real_distribution<double> place(-0.6, 0.6), size(0.05, 0.4);
+    std::vector<Solid> solids;
+    for (int i = 0; i < count; ++i)
+        solids.push_back({{place(random), place(random), place(random)}, {size(random), size(random), size(random)}, i % 2 == 0});
+    return solids;
+}
+
+// A box of other sides than a cube's, turned, away from the origin.
+void place(ReliefObject& object)
+{
+    const glm::dvec3 x = glm::normalize(glm::dvec3(1., 2., 0.5)), y = glm::normalize(glm::cross(x, glm::dvec3(0., 0., 1.)));
+    object.center = {4., -2., 1.};
+    object.half = {1. * x, 0.5 * y, 1.5 * glm::cross(x, y)};
+}
+
+// Whether the answer is that of a ray which lies a ten thousandth of the box beside: at outlines and edges either is right.
+bool isTie(const ReliefObject& object, const ObjectRayHit& found, glm::dvec3 origin, glm::dvec3 direction)
+{
+    const double size = 2. * glm::length(object.half[1]);
+    const glm::dvec3 u
+        = glm::normalize(glm::cross(direction, std::abs(direction.y) < 0.9 ? glm::dvec3(0., 1., 0.) : glm::dvec3(1., 0., 0.)));
+    const glm::dvec3 v = glm::cross(direction, u);
+    for (int i = 0; i < 16; ++i) {
+        const double angle = i * std::numbers::pi / 8., by = (i % 2 == 0 ? 1e-4 : 3e-5) * size;
+        const auto beside = firstHit(object, origin + by * (std::cos(angle) * u + std::sin(angle) * v), direction);
+        if (bool(beside) == found.found && (!beside || std::abs(beside->t - found.t) < 1e-3 * size))
+            return true;
+    }
+    return false;
+}
+
+struct Compared {
+    int hits = 0, wrong = 0, ties = 0;
+    double fetches = 0.;
+};
+
+// rays from all around, and from within.
+Compared compared(const ReliefObject& object, int rays, Random& random)
+{
+    const ObjectTexels texels = objectTexels(object);
+    const double size = 2. * glm::length(object.half[1]);
+    Compared sum;
+    for (int i = 0; i < rays; ++i) {
+        const glm::dvec3 target = object.center + 0.3 * size * anyDirection(random), from = anyDirection(random);
+        const glm::dvec3 origin = object.center + (i % 4 == 0 ? 0.4 : 4.) * size * from, direction = glm::normalize(target - origin);
+        const auto exact = firstHit(object, origin, direction);
+        const ObjectRayHit found = searchObject("object", {}, object, texels, origin, direction);
+        sum.hits += bool(exact);
+        sum.fetches += found.fetches;
+        if (bool(exact) == found.found && (!exact || std::abs(exact->t - found.t) < 1e-4 * size))
+            continue;
+        (isTie(object, found, origin, direction) ? sum.ties : sum.wrong) += 1;
+    }
+    return sum;
+}
+} // namespace
+
+TEST(ObjectShader, TheExactSearchFindsTheFirstHit)
+{
+    Random random(3);
+    for (const int layers : {1, 2, 4})
+        for (const int size : {1, 2, 17, 64, 150}) {
+            ReliefObject object = objectOf(anySolids(random, 2 + size % 5), size, layers);
+            if (size == 17)
+                object.axes[std::size_t(layers % 3)] = {}; // not bounded along it
+            place(object);
+            const Compared all = compared(object, 3000, random);
+            EXPECT_EQ(all.wrong, 0) << layers << ' ' << size;
+            EXPECT_LT(all.ties, 10) << layers << ' ' << size;
+        }
+}
+
+// Needles and noise: every texel on its own, some thin, some empty, some backwards.
+TEST(ObjectShader, TheExactSearchHoldsOnNoise)
+{
+    Random random(5);
+    for (int round = 0; round < 6; ++round) {
+        ReliefObject object;
+        for (AxisMap& map : object.axes) {
+            map = {20 + round, 31, 1 + round % 3, {}};
+            for (int i = 0; i < map.width * map.height * map.layers; ++i) {
+                const auto front = std::uint16_t(random() % 40000), back = std::uint16_t(front + random() % 25000);
+                map.intervals.push_back(random() % 5 == 0 ? Interval() : random() % 7 == 0 ? Interval{front, front} : Interval{front, back});
+            }
+        }
+        if (round % 2 == 1)
+            object.axes[0] = object.axes[1] = {};
+        place(object);
+        const Compared all = compared(object, 3000, random);
+        EXPECT_EQ(all.wrong, 0) << round;
+        EXPECT_GT(all.hits, 500) << round;
+    }
+}
+
+TEST(ObjectShader, ReadsLessThanSearchingSideBySide)
+{
+    Random random(7);
+    const ReliefObject object = objectOf(anySolids(random, 5), 128, 1);
+    const ObjectTexels texels = objectTexels(object);
+    double once = 0., bySides = 0.;
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 origin = 2. * anyDirection(random), direction = glm::normalize(0.3 * anyDirection(random) - origin);
+        once += searchObject("object", {}, object, texels, origin, direction).fetches;
+        bySides += searchObject("object-sides", {}, object, texels, origin, direction).fetches;
+    }
+    EXPECT_LT(once, bySides);
+}
+
+// A plate that only one axis tells of: the report's figure 5.2. What the side of the z axis finds behind it is a wall that is not there.
+TEST(ObjectShader, TheNaiveFormShowsWhatOtherSidesDiscard)
+{
+    ReliefObject object;
+    object.axes[2] = {8, 8, 1, std::vector<Interval>(64, {0, Interval::kDeepest})}; // all of the box, seen along z
+    object.axes[1] = {8, 8, 1, std::vector<Interval>(64)};
+    for (int x = 0; x < 8; ++x)
+        object.axes[1].intervals[std::size_t(7 * 8 + x)] = {0, Interval::kDeepest}; // seen from above only the row next to +z
+    const ObjectTexels texels = objectTexels(object);
+    const glm::dvec3 origin{0., 2., 0.2}, direction{0., -1., -0.05};
+    EXPECT_FALSE(firstHit(object, origin, direction));
+    Parameters parameters;
+    EXPECT_FALSE(searchObject("object-sides", parameters, object, texels, origin, direction).found);
+    EXPECT_FALSE(searchObject("object-steps", parameters, object, texels, origin, direction).found);
+    const glm::dvec3 entersByFront{0.1, 0.1, 2.}, through{0., 0.2, -1.};
+    EXPECT_TRUE(searchObject("object-sides", parameters, object, texels, entersByFront, through).found);
+    ReliefObject behind = object;
+    for (int x = 0; x < 8; ++x)
+        behind.axes[1].intervals[std::size_t(7 * 8 + x)] = {}, behind.axes[1].intervals[std::size_t(3 * 8 + x)] = {0, Interval::kDeepest};
+    const ObjectTexels row = objectTexels(behind);
+    parameters.crossDiscard = false; // the front says solid at once, where from above nothing is
+    EXPECT_NEAR(searchObject("object-sides", parameters, behind, row, entersByFront, through).t, 1.5, 0.04);
+    EXPECT_GT(firstHit(behind, entersByFront, through)->t, 1.9);
+}
+
+TEST(ObjectShader, EveryTechniqueHoldsOnOddRays)
+{
+    Random random(9);
+    ReliefObject object = objectOf(anySolids(random, 4), 33, 2);
+    const ObjectTexels texels = objectTexels(object);
+    const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    const glm::dvec3 odd[][2] = {{{0., 0., 0.}, {0., 0., 0.}}, {{nan, 0., 0.}, {1., 0., 0.}}, {{0., 0., 2.}, {inf, 0., -1.}},
+        {{0., 0., 2.}, {0., 0., -1.}}, {{0.5, 0.5, 2.}, {0., 0., -1.}}, {{0.5, 0., 2.}, {0., 0., -1e-30}}, {{0., 0., 1e9}, {0., 0., -1.}},
+        {{-2., 0.25, 0.}, {1., 1e-9, 1e-9}}, {{-0.5, -0.5, -0.5}, {1., 1., 1.}}};
+    for (const TechniqueRow& row : kObjectTechniques)
+        for (const auto& [origin, direction] : odd) {
+            const ObjectRayHit hit = searchObject(row.key, {}, object, texels, origin, direction);
+            EXPECT_TRUE(!hit.found || (std::isfinite(hit.t) && std::isfinite(glm::length(hit.normal)))) << row.key;
+        }
+    EXPECT_FALSE(searchObject("relief", {}, object, texels, {0., 0., 2.}, {0., 0., -1.}).found);
+}
