@@ -116,10 +116,12 @@ Expected<Frame> prepareFrame(DrawContext& context, const DrawRequest& request)
     const EnumSet<MapKind> maps = presentMaps(*resources.material);
     if (technique->isOfObjects != bool(resources.mesh->object))
         return failure(resources.mesh->name,
-            std::string(technique->label) + (technique->isOfObjects ? " draws relief objects, and this is a mesh" : " cannot draw a relief object"),
+            std::string(technique->label)
+                + (technique->isOfObjects ? " draws relief objects, and this is a mesh" : " cannot draw a relief object"),
             "Choose another technique");
     if (technique->isOfObjects && view->isAgainstExact && view->fileOnMesh.empty())
-        return failure(resources.mesh->name, "of relief objects there is no view \"" + std::string(view->label) + "\"", "Choose another view");
+        return failure(
+            resources.mesh->name, "of relief objects there is no view \"" + std::string(view->label) + "\"", "Choose another view");
     if ((technique->needsHeights() || (view->isAgainstExact && !technique->isOfObjects)) && !maps.contains(MapKind::Height))
         return failure(state.name,
             std::string(technique->label) + (view->isAgainstExact ? "'s error" : "") + " needs a height map and the material has none",

@@ -177,8 +177,10 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
     }
     const TechniqueRow* named = findTechnique(options.technique);
     if (named && named->isOfObjects != isObjectName(state.mesh))
-        return problem({named->isOfObjects ? "this technique draws relief objects, and the mesh is none" : "this technique cannot draw a relief object",
-                           "--technique " + options.technique, "relievo describe techniques lists those of relief objects in a group of their own"},
+        return problem(
+            {named->isOfObjects ? "this technique draws relief objects, and the mesh is none"
+                                : "this technique cannot draw a relief object",
+                "--technique " + options.technique, "relievo describe techniques lists those of relief objects in a group of their own"},
             WrongUsage);
     fitTechniques(state);
     if (!options.environment.empty()) {

@@ -43,8 +43,9 @@ nlohmann::ordered_json toJson(const ImpostorOptions& options, const Exported& wr
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const std::filesystem::path& file : written.files)
         files.push_back(file.string());
-    return {{"mesh", options.mesh}, {"object", written.files.back().string()}, {"project", written.files.end()[-2].string()}, {"sides", options.sides}, {"layers", options.object.layers},
-        {"size", options.object.size}, {"files", files}, {"warnings", warningsJson(written.warnings)}};
+    return {{"mesh", options.mesh}, {"object", written.files.back().string()}, {"project", written.files.end()[-2].string()},
+        {"sides", options.sides}, {"layers", options.object.layers}, {"size", options.object.size}, {"files", files},
+        {"warnings", warningsJson(written.warnings)}};
 }
 
 } // namespace

@@ -160,8 +160,7 @@ private:
     Expected<void> writeJson(const ReliefObject& object, const fs::path& path)
     {
         const auto numbers = [](glm::dvec3 v) { return Json{v.x, v.y, v.z}; };
-        const Json document{{"relievoObject", 1}, {"name", m_job.surface->mesh().name}, {"unit", "m"},
-            {"mesh", toldSource()},
+        const Json document{{"relievoObject", 1}, {"name", m_job.surface->mesh().name}, {"unit", "m"}, {"mesh", toldSource()},
             {"box",
                 {{"center", numbers(object.center)},
                     {"halfAxes", {numbers(object.half[0]), numbers(object.half[1]), numbers(object.half[2])}}}},

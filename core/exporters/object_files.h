@@ -15,8 +15,9 @@ struct ObjectJob {
     Progress progress;
 };
 
-// resources/help/objects.md, "The file". NAME is the mesh's; the last file is NAME.object.json, the one before it NAME.relievo. Nothing that was read is replaced; when it fails, what it made is gone again.
-// Baked axis by axis, so that only one axis' pictures are in memory. Errors: those of the bake and of writing; cancelled.
+// resources/help/objects.md, "The file". NAME is the mesh's; the last file is NAME.object.json, the one before it NAME.relievo. Nothing
+// that was read is replaced; when it fails, what it made is gone again. Baked axis by axis, so that only one axis' pictures are in memory.
+// Errors: those of the bake and of writing; cancelled.
 Expected<Exported> writeObject(const ObjectJob& job);
 
 } // namespace relievo

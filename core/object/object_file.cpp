@@ -88,7 +88,8 @@ Expected<AxisMap> readAxis(SideDepths& depths, std::size_t axis, Warnings& warni
             auto read = readImage(side->file);
             if (!read)
                 return tl::unexpected(read.error());
-            side->image = side->channel != 0 || side->inverted ? channelOf(read->image, side->channel, side->inverted) : std::move(read->image);
+            side->image
+                = side->channel != 0 || side->inverted ? channelOf(read->image, side->channel, side->inverted) : std::move(read->image);
             if (!first)
                 first = side;
             else if (side->image->width != first->image->width || side->image->height != first->image->height)

@@ -70,7 +70,8 @@ Image normalsOfXy(const Image& image)
     Image normals = emptyImage(image.width, image.height, 3);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            const double nx = 2. * double(image.value(x, y, 0)) - 1., ny = 2. * double(image.value(x, y, std::min(1, image.channels - 1))) - 1.;
+            const double nx = 2. * double(image.value(x, y, 0)) - 1.,
+                         ny = 2. * double(image.value(x, y, std::min(1, image.channels - 1))) - 1.;
             putNormal(normals, std::size_t(y) * std::size_t(image.width) + std::size_t(x),
                 {nx, ny, std::sqrt(std::max(1. - nx * nx - ny * ny, 1e-6))});
         }
@@ -91,7 +92,8 @@ Image normalsOfDepths(const ReliefObject& object, std::size_t axis, bool isBack)
         for (int x = 0; x < map.width; ++x) {
             const auto at = [&](int dx, int dy) { return outermost(map, x + dx, y + dy, isBack); };
             const auto here = at(0, 0);
-            const double alongU = here ? slope(at(-1, 0), here, at(1, 0)) * perU : 0., alongV = here ? slope(at(0, -1), here, at(0, 1)) * perV : 0.;
+            const double alongU = here ? slope(at(-1, 0), here, at(1, 0)) * perU : 0.,
+                         alongV = here ? slope(at(0, -1), here, at(0, 1)) * perV : 0.;
             putNormal(normals, std::size_t(y) * std::size_t(map.width) + std::size_t(x), {sign * alongU, -sign * alongV, 1.});
         }
     return normals;

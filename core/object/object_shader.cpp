@@ -44,8 +44,7 @@ struct Found {
     int fetches = 0;
 };
 
-template <class Technique>
-Found run(const Parameters& parameters, const ObjectTexels& texels, glm::vec3 origin, glm::vec3 way, float end)
+template <class Technique> Found run(const Parameters& parameters, const ObjectTexels& texels, glm::vec3 origin, glm::vec3 way, float end)
 {
     Technique technique;
     static_cast<Parameters&>(technique) = parameters;
@@ -60,8 +59,8 @@ struct SearchRow {
     std::string_view technique;
     Found (*run)(const Parameters&, const ObjectTexels&, glm::vec3, glm::vec3, float);
 };
-constexpr SearchRow kSearches[] = {
-    {"object", run<glsl::ExactObject>}, {"object-steps", run<glsl::SteppedObject>}, {"object-sides", run<glsl::SidedObject>}};
+constexpr SearchRow kSearches[]
+    = {{"object", run<glsl::ExactObject>}, {"object-steps", run<glsl::SteppedObject>}, {"object-sides", run<glsl::SidedObject>}};
 
 // The part of the ray that is in the box; from > to when it misses. In double precision, as the GPU has the point on the box from a
 // rasteriser.
@@ -96,8 +95,7 @@ ObjectRayHit searchObject(std::string_view technique, const Parameters& paramete
     if (!(part.from <= part.to) || row == std::end(kSearches))
         return {};
     const double unit = glm::length(d); // of t in lengths of the box's halves
-    const Found found
-        = row->run(parameters, texels, glm::clamp(o + part.from * d, -1., 1.), d / unit, float((part.to - part.from) * unit));
+    const Found found = row->run(parameters, texels, glm::clamp(o + part.from * d, -1., 1.), d / unit, float((part.to - part.from) * unit));
     if (!found.found)
         return {.fetches = found.fetches};
     glm::dvec3 outwards = found.outwards;

@@ -66,8 +66,7 @@ bool hasMeshReference(const State& state, const Resources& resources)
 
 namespace {
 // The mesh that an object stands for, as it is.
-Answer distancesOfSource(
-    const State& state, std::size_t pane, const Resources& resources, int width, int height, const Progress& progress)
+Answer distancesOfSource(const State& state, std::size_t pane, const Resources& resources, int width, int height, const Progress& progress)
 {
     const std::string& source = resources.mesh->object->source;
     if (source.empty())

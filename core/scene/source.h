@@ -14,8 +14,8 @@
 namespace relievo {
 
 // SOURCE (resources/help/command-line.md, "Sources"): "*.relievo", a folder, an image of a set, a single image, "sample:KEY", "scene:KEY"
-// (presets.h), "hard:KEY" (hard_cases.h), a mesh file that brings textures, NAME.object.json, or an engine's material (materials/material_file.h). The result
-// is `base` with the maps (and for a project everything) replaced. A sample also sets its depth.
+// (presets.h), "hard:KEY" (hard_cases.h), a mesh file that brings textures, NAME.object.json, or an engine's material
+// (materials/material_file.h). The result is `base` with the maps (and for a project everything) replaced. A sample also sets its depth.
 struct Opened {
     State state;
     DecodedImages images; // spares loadResources a second decode

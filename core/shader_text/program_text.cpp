@@ -60,7 +60,8 @@ std::string objectMapFunctions(std::string_view text)
     std::string functions = "int seenSide = 0;\n" + fetch("vec3 color", "objectColorMap", ".rgb")
         + fetch("vec3 normal", "objectNormalMap", ".rgb") + fetch("float roughness", "objectNormalMap", ".a");
     for (const MapKindRow& row : kMapKinds)
-        if (const std::string name = std::string(row.key) + "At"; row.kind != MapKind::Height && mentionsIdentifier(text, name) && functions.find(name) == functions.npos)
+        if (const std::string name = std::string(row.key) + "At";
+            row.kind != MapKind::Height && mentionsIdentifier(text, name) && functions.find(name) == functions.npos)
             functions += mapFunction(row, false, false, false);
     return functions;
 }

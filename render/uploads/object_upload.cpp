@@ -77,7 +77,8 @@ void ObjectUpload::bind(const LinkedProgram& program, const ObjectMaps& maps)
     if (!m_texels) {
         m_buffer = newBuffer(), m_texels = newTexture();
         glBindBuffer(GL_TEXTURE_BUFFER, *m_buffer);
-        glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(maps.texels.texels.size() * sizeof(Interval)), maps.texels.texels.data(), GL_STATIC_DRAW);
+        glBufferData(
+            GL_TEXTURE_BUFFER, GLsizeiptr(maps.texels.texels.size() * sizeof(Interval)), maps.texels.texels.data(), GL_STATIC_DRAW);
         glBindTexture(GL_TEXTURE_BUFFER, *m_texels);
         glTexBuffer(GL_TEXTURE_BUFFER, GL_RG16, *m_buffer);
     }

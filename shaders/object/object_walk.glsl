@@ -10,6 +10,7 @@ struct SolidMet {
 };
 
 const int kMostNodes = 16384; // of one axis: a bound on what one ray costs
+const float kTouches = 4e-7f; // share of the box: what is left so soon by a wall is only touched, as the walls of two axes often lie in one plane
 
 int objectLevel[3]; // of the pyramid, on which the walk along an axis goes on
 
@@ -62,8 +63,8 @@ SolidMet inHeldCell(vec4 fronts, vec4 backs, vec3 at, vec3 way, float reach, vec
                    : SolidMet(atBack, -frontOutwards(backs, at, way, atBack, size));
 }
 
-// Of a layer that a corner lacks: each quarter of the cell is flat, as its texel says.
-SolidMet inQuarters(vec2 a, vec2 b, vec2 c, vec2 d, vec3 at, vec3 way, float reach, vec3 wall)
+// Of a layer that a corner lacks: each quarter of the cell is flat, as its texel says. least: way through one that counts.
+SolidMet inQuarters(vec2 a, vec2 b, vec2 c, vec2 d, vec3 at, vec3 way, float reach, float least, vec3 wall)
 {
     float acrossX = way.x != 0.0f ? (0.5f - at.x) / way.x : kNever;
     float acrossY = way.y != 0.0f ? (0.5f - at.y) / way.y : kNever;
@@ -76,7 +77,7 @@ SolidMet inQuarters(vec2 a, vec2 b, vec2 c, vec2 d, vec3 at, vec3 way, float rea
         bool right = at.x + middle * way.x >= 0.5f;
         bool low = at.y + middle * way.y >= 0.5f;
         vec2 depths = low ? (right ? d : c) : (right ? b : a);
-        if (depths.x <= depths.y && (end > begin || reach == 0.0f)) {
+        if (depths.x <= depths.y && end - begin >= min(least, 0.3f * reach)) {
             float z = at.z + begin * way.z;
             if (z >= depths.x && z <= depths.y)
                 return SolidMet(begin, wall);
@@ -94,8 +95,9 @@ SolidMet inQuarters(vec2 a, vec2 b, vec2 c, vec2 d, vec3 at, vec3 way, float rea
     return SolidMet(kNever, wall);
 }
 
-// at: where the ray comes into the cell, x and y from its first corner; reach: how far it goes there; wall: what it came through, outwards.
-SolidMet inCell(int axis, ivec2 cell, vec3 at, vec3 way, float reach, vec3 wall)
+// at: where the ray comes into the cell, x and y from its first corner; reach: how far it goes there; least: as in inQuarters; wall: what it
+// came through, outwards.
+SolidMet inCell(int axis, ivec2 cell, vec3 at, vec3 way, float reach, float least, vec3 wall)
 {
     ivec4 map = objectAxes[axis];
     SolidMet nearest = SolidMet(kNever, wall);
@@ -106,7 +108,7 @@ SolidMet inCell(int axis, ivec2 cell, vec3 at, vec3 way, float reach, vec3 wall)
         vec2 d = intervalAt(axis, cell, k);
         bool isHeld = a.x <= a.y && b.x <= b.y && c.x <= c.y && d.x <= d.y;
         SolidMet met = isHeld ? inHeldCell(vec4(a.x, b.x, c.x, d.x), vec4(a.y, b.y, c.y, d.y), at, way, reach, vec2(map.x, map.y), wall)
-                              : inQuarters(a, b, c, d, at, way, reach, wall);
+                              : inQuarters(a, b, c, d, at, way, reach, least, wall);
         if (met.t < nearest.t)
             nearest = met;
     }
@@ -146,6 +148,7 @@ SolidMet nextSolid(ObjectRay ray, int axis, float from)
     int level = objectLevel[axis];
     vec3 wall = vec3(0.0f, 0.0f, d.z < 0.0f ? 1.0f : -1.0f);
     float t = from;
+    float least = min(kTouches * float(max(map.x, map.y)) / max(max(abs(d.x), abs(d.y)), 1e-20f), 1e-5f / length(ray.way));
     for (int i = 0; i < kMostNodes; ++i) {
         ivec2 node = ivec2(cell.x >> level, cell.y >> level);
         ivec2 low = ivec2(node.x << level, node.y << level);
@@ -158,9 +161,9 @@ SolidMet nextSolid(ObjectRay ray, int axis, float from)
                 --level;
                 continue;
             }
-        } else {
+        } else if (leave - t >= least || leave >= ray.end) {
             vec3 at = vec3(o.x - float(cell.x) + t * d.x, o.y - float(cell.y) + t * d.y, o.z + t * d.z);
-            SolidMet met = inCell(axis, cell, at, d, leave - t, wall);
+            SolidMet met = inCell(axis, cell, at, d, leave - t, least, wall);
             if (met.t < kNever) {
                 objectLevel[axis] = 0;
                 return SolidMet(t + met.t, met.outwards);

@@ -84,7 +84,8 @@ TEST(ObjectPictures, AreThoseOfTheMesh)
     const Resources ofObject = resourcesOf(object), ofMesh = resourcesOf(mesh);
     for (const float yaw : {0.f, 50.f, 170.f}) {
         object.camera.yaw = mesh.camera.yaw = yaw;
-        EXPECT_LT(differing(picture(renderer, object, ofObject, "position"), picture(renderer, mesh, ofMesh, "position"), 0.02f), 0.03) << yaw;
+        EXPECT_LT(differing(picture(renderer, object, ofObject, "position"), picture(renderer, mesh, ofMesh, "position"), 0.02f), 0.03)
+            << yaw;
         EXPECT_LT(differing(picture(renderer, object, ofObject, "normal"), picture(renderer, mesh, ofMesh, "normal"), 0.1f), 0.05) << yaw;
     }
 }

@@ -93,7 +93,8 @@ void LiveSweep::begin()
         return tell(tr("Waits for the files"));
     if (!resources.material->height || resources.mesh->object) {
         m_points.clear();
-        return tell(resources.mesh->object ? tr("A relief object is searched by itself, not by a height map.") : tr("There is no height map to search."));
+        return tell(resources.mesh->object ? tr("A relief object is searched by itself, not by a height map.")
+                                           : tr("There is no height map to search."));
     }
     const std::size_t pane = std::size_t(m_viewport.activePane());
     const State state = ofPane(m_document.state(), pane);

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/document/stand_ins.h"
-#include "core/scene/scene_mesh.h"
 #include "core/gltf/buffers.h"
 #include "core/gltf/pictures.h"
 #include "core/ground/text.h"
+#include "core/scene/scene_mesh.h"
 #include "core/state/sample_names.h"
 #include <algorithm>
 #include <utility>

@@ -26,8 +26,8 @@ struct Tube {
 
 // The base from its top down: stations at its axis make a body of revolution.
 constexpr Station kBase[] = {{{0.f, -0.13f}, {0.17f, 0.17f}}, {{0.f, -0.2f}, {0.19f, 0.19f}}, {{0.f, -0.235f}, {0.235f, 0.235f}},
-    {{0.f, -0.27f}, {0.235f, 0.235f}}, {{0.f, -0.3f}, {0.19f, 0.19f}}, {{0.f, -0.345f}, {0.215f, 0.215f}},
-    {{0.f, -0.39f}, {0.28f, 0.28f}}, {{0.f, -0.42f}, {0.3f, 0.3f}}, {{0.f, -0.47f}, {0.3f, 0.3f}}};
+    {{0.f, -0.27f}, {0.235f, 0.235f}}, {{0.f, -0.3f}, {0.19f, 0.19f}}, {{0.f, -0.345f}, {0.215f, 0.215f}}, {{0.f, -0.39f}, {0.28f, 0.28f}},
+    {{0.f, -0.42f}, {0.3f, 0.3f}}, {{0.f, -0.47f}, {0.3f, 0.3f}}};
 constexpr Station kBody[] = {{{0.29f, 0.125f}, {0.05f, 0.045f}}, {{0.25f, 0.165f}, {0.065f, 0.055f}}, {{0.18f, 0.235f}, {0.085f, 0.062f}},
     {{0.1f, 0.305f}, {0.115f, 0.075f}}, {{0.01f, 0.31f}, {0.125f, 0.08f}}, {{-0.06f, 0.22f}, {0.135f, 0.085f}},
     {{-0.075f, 0.09f}, {0.15f, 0.1f}}, {{-0.035f, -0.05f}, {0.16f, 0.13f}}, {{0.f, -0.2f}, {0.15f, 0.145f}}};
@@ -68,8 +68,8 @@ glm::vec3 normalOf(const Tube& tube, float s, float t)
 {
     const float step = 1e-3f, inside = std::clamp(t, 0.02f, 0.98f);
     if (t <= 0.f || t >= 1.f) // of the tip: the mean around it
-        return glm::normalize(normalOf(tube, 0.f, inside) + normalOf(tube, 0.25f, inside) + normalOf(tube, 0.5f, inside)
-            + normalOf(tube, 0.75f, inside));
+        return glm::normalize(
+            normalOf(tube, 0.f, inside) + normalOf(tube, 0.25f, inside) + normalOf(tube, 0.5f, inside) + normalOf(tube, 0.75f, inside));
     const glm::vec3 across = pointOf(tube, s + step, t) - pointOf(tube, s - step, t);
     const glm::vec3 down = pointOf(tube, s, t + step) - pointOf(tube, s, t - step);
     return glm::normalize(glm::cross(down, across));
@@ -85,7 +85,8 @@ void addTube(Mesh& mesh, const Tube& tube)
             * (glm::distance(pointOf(tube, 0.f, middle), pointOf(tube, 0.5f, middle))
                 + glm::distance(pointOf(tube, 0.25f, middle), pointOf(tube, 0.75f, middle)));
         v[j] = v[j - 1]
-            + glm::distance(pointOf(tube, 0.25f, before), pointOf(tube, 0.25f, here)) * tube.tilesAround / (2.f * kPi * std::max(half, 0.02f));
+            + glm::distance(pointOf(tube, 0.25f, before), pointOf(tube, 0.25f, here)) * tube.tilesAround
+                / (2.f * kPi * std::max(half, 0.02f));
     }
     addGrid(mesh, tube.columns, tube.rows, [&](float s, float t) {
         return Point{pointOf(tube, s, t), normalOf(tube, s, t), {tube.tilesAround * s, v[std::size_t(std::lround(t * float(tube.rows)))]}};
@@ -95,7 +96,7 @@ void addTube(Mesh& mesh, const Tube& tube)
 
 void makeKnight(Mesh& mesh)
 {
-    addTube(mesh, {.stations = kBase, .tilesAround = 4.f, .columns = 64, .rows = 96, .cap = 0.1f});
+    addTube(mesh, {.stations = kBase, .tilesAround = 4.f, .columns = 64, .rows = 192, .cap = 0.2f});
     addTube(mesh, {.stations = kBody, .tilesAround = 3.f, .columns = 56, .rows = 96});
     addTube(mesh, {.stations = kMane, .tilesAround = 1.f, .columns = 32, .rows = 128, .waves = 6.f});
     addTube(mesh, {.stations = kCheek, .tilesAround = 2.f, .columns = 40, .rows = 48, .cap = 1.f});
