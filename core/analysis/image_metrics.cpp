@@ -18,9 +18,29 @@
 
 namespace relievo {
 
+namespace flip { // what Flip::Parts holds
+using Plane = std::vector<float>;
+
+struct Picture {
+    int width = 0, height = 0;
+    std::array<Plane, 3> planes;
+    explicit Picture(int w, int h) : width(w), height(h) { planes.fill(Plane(std::size_t(w) * std::size_t(h))); }
+    glm::vec3 at(std::size_t i) const { return {planes[0][i], planes[1][i], planes[2][i]}; }
+    void set(std::size_t i, glm::vec3 v)
+    {
+        for (std::size_t c = 0; c < 3; ++c)
+            planes[c][i] = v[int(c)];
+    }
+};
+
+struct Features {
+    Plane edges, points; // strengths
+};
+} // namespace flip
+
 namespace {
 
-using Plane = std::vector<float>;
+using flip::Features, flip::Picture, flip::Plane;
 using Kernel = std::vector<float>; // odd length, centre in the middle
 constexpr double kPi = std::numbers::pi;
 
@@ -36,18 +56,6 @@ struct Gaussian { // a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees
 const glm::mat3 kXyzFromRgb
     = glm::transpose(glm::mat3(0.4123908f, 0.3575843f, 0.1804808f, 0.2126390f, 0.7151687f, 0.0721923f, 0.0193308f, 0.1191948f, 0.9505322f));
 const glm::vec3 kWhite = kXyzFromRgb * glm::vec3(1.f);
-
-struct Picture {
-    int width = 0, height = 0;
-    std::array<Plane, 3> planes;
-    explicit Picture(int w, int h) : width(w), height(h) { planes.fill(Plane(std::size_t(w) * std::size_t(h))); }
-    glm::vec3 at(std::size_t i) const { return {planes[0][i], planes[1][i], planes[2][i]}; }
-    void set(std::size_t i, glm::vec3 v)
-    {
-        for (std::size_t c = 0; c < 3; ++c)
-            planes[c][i] = v[int(c)];
-    }
-};
 
 float linearOf(float srgb)
 {
@@ -210,10 +218,6 @@ float colorDifference(glm::vec3 a, glm::vec3 b)
     const float d = std::pow(hybridDistance(a, b), kColorPower), knee = kColorKnee * most;
     return d < knee ? kColorKneeValue * d / knee : kColorKneeValue + (d - knee) / (most - knee) * (1.f - kColorKneeValue);
 }
-
-struct Features {
-    Plane edges, points; // strengths
-};
 
 // Section 4.3: strengths of edges (first derivative) and points (second derivative) of the lightness.
 Features featuresOf(const Picture& opponent, double perDegree)

@@ -12,10 +12,10 @@
 
 namespace relievo {
 namespace {
-constexpr double kRight = 1e-3; // of the depth: nothing that is seen
+constexpr double kUnseen = 1e-3; // of the depth: nothing that is seen
 constexpr int kPeakSamples = 256; // of a step that leapt over something
 
-std::string number(double value, int digits = 3)
+std::string rounded(double value, int digits = 3)
 {
     char text[32];
     std::snprintf(text, sizeof text, "%.*g", digits, value);
@@ -54,16 +54,16 @@ std::string_view nameOf(StepKind kind)
 // What was passed by: the first step over the exact hit, before any refinement.
 std::string tooDeep(const RayInspection& ray, const HeightField& field)
 {
-    const std::string error = number(ray.hit.t - ray.exact) + " of the depth";
+    const std::string error = rounded(ray.hit.t - ray.exact) + " of the depth";
     for (const SearchStep& step : ray.steps) {
         if (step.kind == StepKind::Halving || step.kind == StepKind::Secant)
             break;
         if (step.from <= ray.exact && step.to > ray.exact && ray.hit.t >= step.to - 1e-6 && step.to - step.from > 0) {
             const double width = widthInside(field, ray.ray, ray.exact, step);
             if (1. - double(field.at(glm::vec2(ray.ray.uv + step.to * ray.ray.duv))) > step.to)
-                return (step.kind == StepKind::Linear ? "It stepped over a peak " + number(width, 1) + " steps wide"
+                return (step.kind == StepKind::Linear ? "It stepped over a peak " + rounded(width, 1) + " steps wide"
                                                       : "It leapt over a peak by " + std::string(nameOf(step.kind)) + ", "
-                                   + number(width, 1) + " of which lay in the relief")
+                                   + rounded(width, 1) + " of which lay in the relief")
                     + ", and is too deep by " + error + ".";
         }
     }
@@ -82,15 +82,15 @@ std::string verdictOf(const RayInspection& ray, const TechniqueRow& row, const P
     const std::string missed = ray.hit.found || ray.exact >= 1. ? "" : " Nothing was found: it is a miss.";
     if (!row.searches)
         return row.needsHeights() ? "It does not search: it shifts the texture by the height above the entry, and is off by "
-                + number(std::abs(error)) + " of the depth."
-                                  : "It moves nothing: the relief is " + number(std::abs(error)) + " of the depth deeper here.";
-    if (std::abs(error) <= kRight)
-        return "Right: within " + number(std::abs(error)) + " of the depth." + missed;
+                + rounded(std::abs(error)) + " of the depth."
+                                  : "It moves nothing: the relief is " + rounded(std::abs(error)) + " of the depth deeper here.";
+    if (std::abs(error) <= kUnseen)
+        return "Right: within " + rounded(std::abs(error)) + " of the depth." + missed;
     if (error > 0)
         return tooDeep(ray, field);
     const auto leaps
         = std::ranges::count_if(ray.steps, [](const SearchStep& s) { return s.kind == StepKind::Cone || s.kind == StepKind::Ball; });
-    const std::string shortBy = number(-error) + " of the depth";
+    const std::string shortBy = rounded(-error) + " of the depth";
     if (leaps > parameters.leapSteps)
         return "Its " + std::to_string(parameters.leapSteps) + " leaps ran out above the relief, " + shortBy + " short.";
     const SearchStep& last = ray.steps.back();
@@ -104,11 +104,11 @@ std::string shadowVerdict(const RayInspection& ray, double bias)
 {
     const double end = ray.ray.end - bias;
     const bool hidden = ray.hit.found && ray.hit.t < end, isTrue = ray.exact >= end;
-    const std::string where = hidden ? "The light is stopped at " + number(ray.hit.t) + " of the depth" : "The light comes through";
+    const std::string where = hidden ? "The light is stopped at " + rounded(ray.hit.t) + " of the depth" : "The light comes through";
     return where
         + (hidden != isTrue ? ": right."
                 : hidden    ? ", but nothing lies there."
-                            : ", but it should be stopped at " + number(ray.exact) + ".");
+                            : ", but it should be stopped at " + rounded(ray.exact) + ".");
 }
 } // namespace
 

@@ -11,7 +11,6 @@
 namespace relievo {
 
 namespace {
-const char* const kDamaged = "Check the file with a glTF validator and export it again";
 
 tinygltf::FsCallbacks fileCallbacks()
 {
@@ -57,10 +56,10 @@ Expected<tinygltf::Model> loadModel(const std::string& bytes, const std::filesys
                 &model, &errors, &warnings, reinterpret_cast<const unsigned char*>(bytes.data()), unsigned(bytes.size()), "")
             : loader.LoadASCIIFromString(&model, &errors, &warnings, bytes.data(), unsigned(bytes.size()), "");
         if (!done)
-            return failure(ErrorCode::Unreadable, file.string(), clauseOf(errors), kDamaged);
+            return failure(ErrorCode::Unreadable, file.string(), clauseOf(errors), kDamagedGltf);
         return model;
     } catch (const std::exception& problem) {
-        return failure(ErrorCode::Unreadable, file.string(), clauseOf(problem.what()), kDamaged);
+        return failure(ErrorCode::Unreadable, file.string(), clauseOf(problem.what()), kDamagedGltf);
     }
 }
 
@@ -109,13 +108,13 @@ Expected<std::vector<std::byte>> loadGltfPicture(const std::filesystem::path& fi
     if (image.bufferView >= 0 && std::size_t(image.bufferView) < model.bufferViews.size()) {
         std::optional<std::vector<std::byte>> bytes = bytesOf(model, model.bufferViews[std::size_t(image.bufferView)]);
         if (!bytes)
-            return failure(ErrorCode::Unreadable, file.string(), name + " reaches beyond its buffer", kDamaged);
+            return failure(ErrorCode::Unreadable, file.string(), name + " reaches beyond its buffer", kDamagedGltf);
         return std::move(*bytes);
     }
     std::vector<unsigned char> decoded;
     std::string type;
     if (!tinygltf::DecodeDataURI(&decoded, type, *octetsOf(image.uri), 0, false))
-        return failure(ErrorCode::Unreadable, file.string(), name + " is empty", kDamaged);
+        return failure(ErrorCode::Unreadable, file.string(), name + " is empty", kDamagedGltf);
     const auto* from = reinterpret_cast<const std::byte*>(decoded.data());
     return std::vector<std::byte>(from, from + decoded.size());
 }

@@ -18,7 +18,6 @@ namespace relievo {
 
 namespace {
 using Json = nlohmann::json;
-const char* const kDamaged = "Check the file with a glTF validator and export it again";
 
 // Extensions that a file may require: they are read, or say nothing about its triangles.
 bool canIgnore(std::string_view name)
@@ -122,10 +121,10 @@ Warnings warningsOf(const Json& document)
 Expected<Json> checkedJson(std::string_view text, const std::string& where)
 {
     if (isNestedTooDeep(text))
-        return failure(ErrorCode::Unreadable, where, "its JSON is nested too deeply", kDamaged);
+        return failure(ErrorCode::Unreadable, where, "its JSON is nested too deeply", kDamagedGltf);
     Json document = Json::parse(text, nullptr, false);
     if (document.is_discarded() || !document.is_object())
-        return failure(ErrorCode::Unreadable, where, text.empty() ? "the file is empty" : "the file is not valid JSON", kDamaged);
+        return failure(ErrorCode::Unreadable, where, text.empty() ? "the file is empty" : "the file is not valid JSON", kDamagedGltf);
     const auto asset = document.find("asset");
     const bool hasVersion = asset != document.end() && asset->is_object() && asset->contains("version") && (*asset)["version"].is_string();
     const std::string version = hasVersion ? (*asset)["version"].get<std::string>() : "";

@@ -8,6 +8,8 @@
 
 namespace relievo {
 
+inline constexpr const char* kDamagedGltf = "Check the file with a glTF validator and export it again"; // the cure
+
 struct PreparedGltf {
     std::string bytes; // of a .gltf or .glb, for tinygltf
     std::vector<tinygltf::Image> images; // taken out of the bytes; of each nothing but uri and bufferView

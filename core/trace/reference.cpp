@@ -12,11 +12,11 @@ namespace relievo {
 namespace {
 
 // One axis of the walk, in texels; texel centres at whole numbers.
-struct Axis {
+struct CellAxis {
     double start, slope, inverse;
     std::int64_t cell, first, last; // beyond a clamped border the outermost cells go on without end
 
-    Axis(double uv, double duv, int size, Wrap wrap)
+    CellAxis(double uv, double duv, int size, Wrap wrap)
         : start(uv * size - 0.5)
         , slope(duv * size)
         , inverse(inverseSlope(slope))
@@ -54,7 +54,7 @@ SearchHit exactHit(const HeightField& field, const SearchRay& ray, double raise)
     SearchHit hit;
     if (!isFinite(ray))
         return hit;
-    Axis x(ray.uv.x, ray.duv.x, field.width(), field.wrap()), y(ray.uv.y, ray.duv.y, field.height(), field.wrap());
+    CellAxis x(ray.uv.x, ray.duv.x, field.width(), field.wrap()), y(ray.uv.y, ray.duv.y, field.height(), field.wrap());
     if (!std::isfinite(x.slope) || !std::isfinite(y.slope) || !std::isfinite(x.start) || !std::isfinite(y.start))
         return unfinished(ray, 0);
     double enter = 0.;

@@ -20,7 +20,7 @@ constexpr std::size_t kMostAsked = 20'000; // triangles
 constexpr double kUsedUp = 0.05; // share of the surface that may be
 // Share of its area at which a triangle counts as turned: where it bends both ways alike it turns twice at once.
 constexpr double kFlat = 1e-4;
-constexpr float kNever = std::numeric_limits<float>::infinity();
+constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, decltype(&rtcReleaseScene)>;
@@ -72,16 +72,16 @@ float thicknessAt(RTCScene scene, const Mesh& mesh, const std::vector<std::uint3
     float from = 1e-3f * size;
     for (int i = 0; i < 16; ++i) { // through other bodies
         RTCRayHit ray{};
-        ray.ray = {middle.x, middle.y, middle.z, from, inwards.x, inwards.y, inwards.z, 0.f, kNever, ~0u, 0, 0};
+        ray.ray = {middle.x, middle.y, middle.z, from, inwards.x, inwards.y, inwards.z, 0.f, kNowhere, ~0u, 0, 0};
         ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(scene, &context, &ray);
         if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID)
-            return kNever;
+            return kNowhere;
         if (bodies[mesh.indices[std::size_t(ray.hit.primID) * 3]] == bodies[own])
-            return glm::dot(glm::vec3(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z), inwards) > 0.f ? ray.ray.tfar : kNever;
-        from = std::nextafter(ray.ray.tfar * 1.00001f, kNever);
+            return glm::dot(glm::vec3(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z), inwards) > 0.f ? ray.ray.tfar : kNowhere;
+        from = std::nextafter(ray.ray.tfar * 1.00001f, kNowhere);
     }
-    return kNever;
+    return kNowhere;
 }
 } // namespace
 
@@ -94,9 +94,9 @@ float turningDepth(const Vertex& a, const Vertex& b, const Vertex& c)
                  c2 = glm::dot(up, glm::cross(dp, dq));
     const double square = c1 * c1 - 4. * c2 * c0;
     if (square < 0.)
-        return kNever;
+        return kNowhere;
     const double sum = -0.5 * (c1 + (c1 < 0. ? -1. : 1.) * std::sqrt(square));
-    double first = double(kNever);
+    double first = double(kNowhere);
     for (const double root : {c0 / sum, sum / c2})
         if (root > 0. && root < first)
             first = root;
@@ -107,7 +107,7 @@ float reliefRoom(const Mesh& mesh)
 {
     const Device device(rtcNewDevice(nullptr), &rtcReleaseDevice);
     if (!device)
-        return kNever;
+        return kNowhere;
     const Scene scene = sceneOf(device.get(), mesh);
     const std::vector<std::uint32_t> bodies = bodiesOf(mesh);
     struct Place {
@@ -134,7 +134,7 @@ float reliefRoom(const Mesh& mesh)
     for (const Place& place : places)
         if ((used += place.area) > kUsedUp * area)
             return place.room;
-    return kNever;
+    return kNowhere;
 }
 
 } // namespace relievo

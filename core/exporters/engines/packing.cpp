@@ -15,7 +15,7 @@ namespace {
 using From = PackedChannel::From;
 
 // Where a channel's numbers come from: an image, or one value.
-struct Source {
+struct ChannelSource {
     std::shared_ptr<const Image> image;
     int channel = 0;
     float value = 0.f;
@@ -95,7 +95,7 @@ public:
         Image out = emptyImage(width, height, int(m_sources.size()), type);
         tbb::parallel_for(0, height, [&](int y) {
             for (int c = 0; c < out.channels; ++c) {
-                const Source& source = m_sources[std::size_t(c)];
+                const ChannelSource& source = m_sources[std::size_t(c)];
                 if (source.isCopiedTo(out)) {
                     source.copyRow(out, y, c);
                     continue;
@@ -110,9 +110,9 @@ public:
     }
 
 private:
-    Source sourceOf(const PackedChannel& channel)
+    ChannelSource sourceOf(const PackedChannel& channel)
     {
-        Source source{nullptr, channel.channel, channel.value, channel.inverted};
+        ChannelSource source{nullptr, channel.channel, channel.value, channel.inverted};
         source.part = channel.part;
         switch (channel.from) {
         case From::Constant:
@@ -138,7 +138,7 @@ private:
         return source;
     }
 
-    void takeMap(const PackedChannel& channel, Source& source)
+    void takeMap(const PackedChannel& channel, ChannelSource& source)
     {
         const MapKindRow& kind = row(channel.kind);
         const Image* map = m_material.map(channel.kind);
@@ -200,7 +200,7 @@ private:
     const Material& m_material;
     const WrittenHeights& m_heights;
     const Parameters& m_parameters;
-    std::vector<Source> m_sources;
+    std::vector<ChannelSource> m_sources;
     mutable std::shared_ptr<const Image> m_ownMap;
     std::map<std::string, std::shared_ptr<const Image>> m_fitted;
 };

@@ -4,8 +4,11 @@
 #pragma once
 #include "core/image/environment/cube.h"
 #include <functional>
+#include <numbers>
 
 namespace relievo {
+
+inline constexpr float kPi = std::numbers::pi_v<float>;
 
 // A place on a face: a to the right and b down, both in [-1, 1] on the face itself.
 struct CubePlace {

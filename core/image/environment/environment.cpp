@@ -11,13 +11,11 @@
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
-#include <numbers>
 #include <tbb/parallel_for.h>
 
 namespace relievo {
 
 namespace {
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kBrightest = 65504.f; // the largest half float
 
 // An equirectangular picture, twice as wide as high.

@@ -8,13 +8,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <tbb/parallel_for.h>
 
 namespace relievo {
 
 namespace {
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kSideOfRough = 16, kSideOfMatt = 8;
 
 int sharpLevels(int side) // before that of roughness 1

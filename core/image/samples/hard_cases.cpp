@@ -24,9 +24,9 @@ struct Texel {
     float random(std::uint32_t salt = 0) const { return randomOf(x, y, seed * 7919u + salt); }
 };
 
-using Formula = float (*)(const Texel&);
+using CaseFormula = float (*)(const Texel&);
 
-HeightField fieldBy(Formula formula, int width, int height, std::uint32_t seed)
+HeightField fieldBy(CaseFormula formula, int width, int height, std::uint32_t seed)
 {
     assert(width >= 1 && height >= 1);
     std::vector<float> heights;
@@ -38,7 +38,7 @@ HeightField fieldBy(Formula formula, int width, int height, std::uint32_t seed)
         }
     return {width, height, std::move(heights), Wrap::Repeat, 32};
 }
-template <Formula formula> HeightField square(int size, std::uint32_t seed)
+template <CaseFormula formula> HeightField square(int size, std::uint32_t seed)
 {
     return fieldBy(formula, size, size, seed);
 }

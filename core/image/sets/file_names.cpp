@@ -11,10 +11,6 @@
 
 namespace relievo {
 namespace {
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 bool isUpper(char c)
 {
     return c >= 'A' && c <= 'Z';

@@ -8,10 +8,6 @@
 
 namespace relievo {
 namespace {
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 // Words for kinds beside the suffixes of kMapKinds. refl is Poliigon's reflection map, of its specular workflow; c, dp and ro are
 // Archicad's.
 struct ExtraWords {

@@ -11,6 +11,11 @@
 
 namespace relievo {
 
+inline bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
 struct Meaning {
     std::vector<MapRole> roles;
     Packing packing = Packing::None;

@@ -15,14 +15,6 @@ namespace relievo {
 namespace {
 constexpr std::size_t kMostJoints = 0xffff;
 
-bool isFinite(const glm::mat4& m)
-{
-    float sum = 0.f;
-    for (int k = 0; k < 4; ++k)
-        sum += glm::dot(glm::abs(m[k]), glm::vec4(1.f));
-    return std::isfinite(sum);
-}
-
 // The inverse of an affine matrix, or nothing for a flat one.
 std::optional<glm::dmat4> inverseOf(const glm::dmat4& matrix)
 {

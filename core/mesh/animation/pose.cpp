@@ -11,7 +11,6 @@
 
 namespace relievo {
 
-namespace {
 bool isFinite(const glm::mat4& m)
 {
     float sum = 0.f;
@@ -20,6 +19,7 @@ bool isFinite(const glm::mat4& m)
     return std::isfinite(sum);
 }
 
+namespace {
 // Where a moment lies among keys: between key and key + 1 by `share`, or on key when share is 0.
 struct Moment {
     std::size_t key = 0;

@@ -16,6 +16,8 @@ struct Influence {
     bool operator==(const Influence&) const = default;
 };
 
+bool isFinite(const glm::mat4& m);
+
 // A node of the file's scene, relative to its parent.
 struct PoseNode {
     int parent = -1; // into Deformation::nodes, always a smaller number

@@ -17,7 +17,7 @@ namespace {
 constexpr double kFlat = 1e-6;
 
 // The places of a mesh: vertices of equal position and normal are one.
-struct Places {
+struct JoinedPlaces {
     std::vector<std::uint32_t> ofVertex;
     std::vector<std::uint32_t> vertex; // one of each place
     // Neighbours of place p, each once: neighbours[starts[p]] .. neighbours[starts[p + 1] - 1].
@@ -25,7 +25,7 @@ struct Places {
     std::vector<char> atBorder; // an edge of the place has one triangle only, or it has no edge
 };
 
-void joinVertices(const Mesh& mesh, Places& places)
+void joinVertices(const Mesh& mesh, JoinedPlaces& places)
 {
     Numbering<6> numbering(mesh.vertices.size());
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -38,7 +38,7 @@ void joinVertices(const Mesh& mesh, Places& places)
 }
 
 // Calls act(place, neighbour) for both ends of each triangle's edges.
-template <class Act> void forEdges(const Mesh& mesh, const Places& places, Act act)
+template <class Act> void forEdges(const Mesh& mesh, const JoinedPlaces& places, Act act)
 {
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         const std::uint32_t a = places.ofVertex[mesh.indices[i]], b = places.ofVertex[mesh.indices[i % 3 == 2 ? i - 2 : i + 1]];
@@ -49,9 +49,9 @@ template <class Act> void forEdges(const Mesh& mesh, const Places& places, Act a
     }
 }
 
-Places placesOf(const Mesh& mesh)
+JoinedPlaces joinedPlaces(const Mesh& mesh)
 {
-    Places places;
+    JoinedPlaces places;
     joinVertices(mesh, places);
     const std::size_t count = places.vertex.size();
     std::vector<std::size_t> starts(count + 1, 0);
@@ -99,7 +99,7 @@ glm::dvec3 solved(const Fit& fit)
 
 // From where the neighbours lie and how their normals lean, weighted by the inverse of their distance. Tried on even, jittered and noisy
 // tori: heights as well as normals, two rings of neighbours, and other powers of the distance; none had less error on the whole.
-Fit fitAt(const Mesh& mesh, const Places& places, std::size_t place)
+Fit fitAt(const Mesh& mesh, const JoinedPlaces& places, std::size_t place)
 {
     const Vertex& own = mesh.vertices[places.vertex[place]];
     Fit fit;
@@ -160,7 +160,7 @@ glm::dmat3 turnBetween(glm::dvec3 a, glm::dvec3 b)
 }
 
 // The mean of the inner neighbours' bends, turned into the own tangent plane; that of the place itself when it has none.
-std::vector<glm::dmat3> settledAtBorders(const Places& places, const std::vector<Fit>& fits, const std::vector<glm::dmat3>& bends)
+std::vector<glm::dmat3> settledAtBorders(const JoinedPlaces& places, const std::vector<Fit>& fits, const std::vector<glm::dmat3>& bends)
 {
     std::vector<glm::dmat3> settled = bends;
     for (std::size_t p = 0; p < bends.size(); ++p) {
@@ -181,7 +181,7 @@ std::vector<glm::dmat3> settledAtBorders(const Places& places, const std::vector
 
 std::vector<Curvature> vertexCurvatures(const Mesh& mesh)
 {
-    const Places places = placesOf(mesh);
+    const JoinedPlaces places = joinedPlaces(mesh);
     std::vector<Fit> fits(places.vertex.size());
     std::vector<glm::dmat3> bends(fits.size());
     for (std::size_t p = 0; p < fits.size(); ++p) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/readers/gltf_primitive.h"
+#include "core/gltf/gltf_json.h"
 #include "core/ground/text_cursor.h"
 #include "core/mesh/readers/gltf_accessor.h"
 #include <algorithm>
@@ -12,7 +13,6 @@
 namespace relievo {
 
 namespace {
-const char* const kDamaged = "Check the file with a glTF validator and export it again";
 
 std::vector<std::uint32_t> triples(int mode, std::vector<std::uint32_t> in)
 {
@@ -51,7 +51,7 @@ Expected<std::vector<std::uint32_t>> trianglesOf(
     for (const std::uint32_t index : indices)
         if (index >= vertices)
             return failure(ErrorCode::Unreadable, where,
-                "a triangle names the vertex " + std::to_string(index) + " of " + std::to_string(vertices), kDamaged);
+                "a triangle names the vertex " + std::to_string(index) + " of " + std::to_string(vertices), kDamagedGltf);
     return triples(modeOf(primitive), std::move(indices));
 }
 
@@ -98,7 +98,7 @@ Expected<std::vector<float>> readAttribute(const tinygltf::Model& model, const s
         return std::vector<float>();
     Expected<std::vector<float>> values = readFloats(model, found->second, components, where);
     if (values && values->size() != count * std::size_t(components))
-        return failure(ErrorCode::Unreadable, where, "a primitive has another number of " + key + " than of positions", kDamaged);
+        return failure(ErrorCode::Unreadable, where, "a primitive has another number of " + key + " than of positions", kDamagedGltf);
     return values;
 }
 
@@ -107,7 +107,7 @@ Expected<GltfPrimitive> readPrimitive(
 {
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end())
-        return failure(ErrorCode::Unreadable, where, "a primitive has no positions", kDamaged);
+        return failure(ErrorCode::Unreadable, where, "a primitive has no positions", kDamagedGltf);
     if (primitive.extensions.contains("KHR_draco_mesh_compression") && std::size_t(position->second) < model.accessors.size()
         && model.accessors[std::size_t(position->second)].bufferView < 0)
         return failure(ErrorCode::Unreadable, where, "its triangles are compressed by KHR_draco_mesh_compression, which is not read",

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gltf/gltf_document.h"
+#include "core/gltf/gltf_json.h"
 #include "core/mesh/animation/gltf_deformation.h"
 #include "core/mesh/compression/gltf_compression.h"
 #include "core/mesh/readers/gltf_materials.h"
@@ -20,7 +21,6 @@ namespace {
 using Corner = RawMesh::Corner;
 // Of all nodes together: a small file can show its meshes very often, and accessors without data cost it nothing.
 constexpr std::size_t kMostVertices = 32'000'000, kMostCorners = 200'000'000, kMostWithoutData = std::size_t(1) << 22;
-const char* const kDamaged = "Check the file with a glTF validator and export it again";
 
 // Gathers a scene's primitives into one RawMesh.
 class Gatherer {
@@ -67,7 +67,7 @@ private:
         glm::dmat4 world; // double: shared by what stands far from the origin
     };
 
-    tl::unexpected<Error> damaged(std::string what) const { return failure(ErrorCode::Unreadable, m_where, std::move(what), kDamaged); }
+    tl::unexpected<Error> damaged(std::string what) const { return failure(ErrorCode::Unreadable, m_where, std::move(what), kDamagedGltf); }
 
     // Whether nothing but a point or a line is left of what is scaled so.
     static bool vanishes(const glm::mat3& linear)

@@ -3,17 +3,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/shapes/character.h"
 #include "core/mesh/animation/pose.h"
+#include "core/mesh/shapes/shape_grid.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace relievo {
 
 namespace {
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // Nodes of the skeleton; joint i + 1 moves with node i, joint 0 never moves.
 enum Bone { Hips, Chest, Head, LeftThigh, LeftCalf, RightThigh, RightCalf, LeftArm, LeftForearm, RightArm, RightForearm, BoneCount };

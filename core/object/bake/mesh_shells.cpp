@@ -13,7 +13,7 @@
 namespace relievo {
 
 namespace {
-constexpr double kBeside = 0.05; // of a triangle's size: how far beside it the winding number is asked for
+constexpr double kBesideTriangle = 0.05; // of a triangle's size: how far beside it the winding number is asked for
 constexpr std::size_t kFew = 32; // triangles of a shell that is asked by itself
 constexpr double kMayBeSheet = 0.2; // from one half: on both sides of a sheet the winding number is about that
 
@@ -114,7 +114,7 @@ bool enclosesNothing(const Winding& shell, const Winding::Triangle& t)
     const double twice = glm::length(up);
     if (!(twice > 0.))
         return true;
-    const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3., beside = up * (kBeside / std::sqrt(twice));
+    const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3., beside = up * (kBesideTriangle / std::sqrt(twice));
     return std::abs(shell.at(middle + beside)) <= 0.5 && std::abs(shell.at(middle - beside)) <= 0.5;
 }
 
