@@ -179,6 +179,20 @@ void shadowFiles(Assembly& part, const TechniqueRow& technique, const ProgramFea
         part.file("shadow/shadow_several.glsl");
 }
 
+// writeView(): the view's value or colour, as the target wants it.
+void writeViewFiles(Assembly& part, const ViewRow& view, const ProgramFeatures& features)
+{
+    if (view.isHeat)
+        part.file("output/heat.glsl")
+            .generated(features.linear
+                    ? "vec3 writeView(Surface s) { return vec3(viewValue(s)); }"
+                    : "vec3 writeView(Surface s) { float v = viewValue(s); return v < 0.0f ? kNoHeat : heat(v * heatScale); }");
+    else if (view.isColor && !features.linear)
+        displayFiles(part, features).generated("vec3 writeView(Surface s) { return toDisplay(throughLens(viewColor(s), -s.toEye)); }");
+    else
+        part.generated("vec3 writeView(Surface s) { return viewColor(s); }");
+}
+
 Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderReader& read)
 {
     const TechniqueRow* technique = findTechnique(features.technique);
@@ -235,15 +249,7 @@ Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderR
     part.generated("const float meshDepth = " + std::to_string(hundredths) + ".0f / 100.0f;\n");
     viewRayFiles(part, *technique, *view, features);
     body(part);
-    if (view->isHeat)
-        part.file("output/heat.glsl")
-            .generated(features.linear
-                    ? "vec3 writeView(Surface s) { return vec3(viewValue(s)); }"
-                    : "vec3 writeView(Surface s) { float v = viewValue(s); return v < 0.0f ? kNoHeat : heat(v * heatScale); }");
-    else if (view->isColor && !features.linear)
-        displayFiles(part, features).generated("vec3 writeView(Surface s) { return toDisplay(throughLens(viewColor(s), -s.toEye)); }");
-    else
-        part.generated("vec3 writeView(Surface s) { return viewColor(s); }");
+    writeViewFiles(part, *view, features);
     return part.file(technique->isOfObjects ? "object/object_main.glsl" : "output/main.glsl").finish();
 }
 
