@@ -18,6 +18,7 @@ enum class Action {
     ExportAgain,
     ContactSheet,
     Report,
+    Impostor,
     Quit,
     Undo,
     Redo,

@@ -168,7 +168,7 @@ Result<void> applyOptions(const StateOptions& options, Opened& opened)
     for (const std::string& assignment : options.set)
         if (const auto done = setParameter(state, assignment); !done)
             return problem(done.error(), WrongUsage);
-    const bool isShape = std::ranges::count(kShapes, options.mesh) > 0, isBuiltIn = isBuiltInEnvironment(options.environment);
+    const bool isShape = isBuiltInMesh(options.mesh), isBuiltIn = isBuiltInEnvironment(options.environment);
     if (!options.mesh.empty()) {
         if (const auto there = isShape ? Result<void>() : checkFile(options.mesh, "--mesh"); !there)
             return there;

@@ -13,6 +13,7 @@
 #include "app/window/inspector/ray_inspector.h"
 #include "app/window/lights/turning.h"
 #include "app/window/main_window.h"
+#include "app/window/objects/impostor_dialog.h"
 #include "app/window/palette/command_palette.h"
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/text.h"
@@ -58,6 +59,8 @@ void runFile(MainWindow& window, Action action)
     case Action::ContactSheet:
     case Action::Report:
         return measuringOf(window).ask(action);
+    case Action::Impostor:
+        return askForImpostor(window);
     case Action::Reload:
         return window.assets().readAgain();
     default:
@@ -117,6 +120,7 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::ExportAgain:
     case Action::ContactSheet:
     case Action::Report:
+    case Action::Impostor:
     case Action::Reload:
         return runFile(window, action);
     case Action::Quit:

@@ -24,6 +24,9 @@ bool ExportRow::takes(const std::filesystem::path& out) const
 
 Expected<Exported> ExportRow::run(const ExportJob& job) const
 {
+    if (job.resources.mesh && job.resources.mesh->object)
+        return failure(job.state.name, "a relief object is no material that could be written",
+            "Its pictures and NAME" + std::string(kObjectSuffix) + " are what others read: relievo impostor has written them");
     return code ? code(job) : exportByText(*this, job);
 }
 

@@ -22,7 +22,7 @@ std::vector<fs::path> filesOf(const MapSlots& slots)
 std::vector<fs::path> filesOf(const State& state)
 {
     std::vector<fs::path> files = filesOf(state.slots);
-    if (!std::ranges::count(kShapes, state.mesh))
+    if (!isBuiltInMesh(state.mesh))
         files.emplace_back(state.mesh);
     files.emplace_back(state.environment);
     return files;
@@ -47,7 +47,7 @@ Warnings doubtsOf(const State& state)
         std::error_code code;
         return !file.empty() && !fs::exists(file, code);
     };
-    if (!std::ranges::count(kShapes, state.mesh) && isMissing(state.mesh))
+    if (!isBuiltInMesh(state.mesh) && isMissing(state.mesh))
         doubts.push_back({"mesh-missing", "The mesh " + state.mesh + " is not there. Put it back, or choose another one."});
     if (!isBuiltInEnvironment(state.environment) && isMissing(state.environment))
         doubts.push_back(

@@ -4,6 +4,8 @@
 #include "core/scene/scene_mesh.h"
 #include "core/ground/name_forms.h"
 #include "core/mesh/readers/raw_mesh.h"
+#include "core/mesh/shapes/shapes.h"
+#include "core/object/bake/side_pictures.h"
 #include "core/object/object_file.h"
 #include "core/state/state.h"
 
@@ -33,16 +35,47 @@ Expected<Mesh> boxMesh(const ReliefObject& object, const std::string& name)
     return buildMesh(std::move(raw), name, {});
 }
 
+namespace {
+Expected<ObjectMaps> bakedShape(const std::string& name, std::string_view shape, const Progress& progress)
+{
+    const auto surface = MeshSurface::load(*makeShape(shape), progress.part(0.f, 0.1f));
+    if (!surface)
+        return tl::unexpected(surface.error());
+    ObjectOptions options{.size = 256};
+    options.sides = name.ends_with("@1") ? ObjectSides::One : name.ends_with("@2") ? ObjectSides::Two : ObjectSides::Six;
+    options.layers = options.sides == ObjectSides::Six ? 2 : 1;
+    auto baked = bakeDepths(*surface, options, progress.part(0.1f, 0.4f));
+    if (!baked)
+        return tl::unexpected(baked.error());
+    ObjectMaps maps{std::move(baked->object), {}, {}, std::string(shape), {}};
+    maps.texels = objectTexels(maps.object);
+    const auto given = axesOf(options.sides);
+    for (std::size_t axis = 0; axis < given.size(); ++axis) {
+        if (!given[axis])
+            continue;
+        auto pictures
+            = bakePictures(*surface, baked->box, axis, options, progress.part(0.4f + 0.2f * float(axis), 0.6f + 0.2f * float(axis)));
+        if (!pictures)
+            return tl::unexpected(pictures.error());
+        for (auto [side, look] : {std::pair(2 * axis, &pictures->front), std::pair(2 * axis + 1, &pictures->back)})
+            maps.looks[side] = {std::move(look->color), std::move(look->normal), std::move(look->roughness)};
+    }
+    return maps;
+}
+} // namespace
+
 Expected<Mesh> openSceneMesh(const std::string& nameOrFile, const Progress& progress)
 {
     if (!isObjectName(nameOrFile))
         return openMesh(nameOrFile, progress);
-    const std::filesystem::path file = thatLooksLike(nameOrFile).value_or(nameOrFile);
-    auto maps = readObjectMaps(file, progress);
+    const std::string_view shape = shapeOfObject(nameOrFile);
+    const std::filesystem::path file = shape.empty() ? thatLooksLike(nameOrFile).value_or(nameOrFile) : nameOrFile;
+    auto maps = shape.empty() ? readObjectMaps(file, progress) : bakedShape(nameOrFile, shape, progress);
     if (!maps)
         return tl::unexpected(maps.error());
-    std::string name = file.filename().string();
-    name.resize(name.size() - kObjectSuffix.size());
+    std::string name = shape.empty() ? file.filename().string() : std::string(shape);
+    if (shape.empty())
+        name.resize(name.size() - kObjectSuffix.size());
     auto mesh = boxMesh(maps->object, name);
     if (!mesh)
         return mesh;

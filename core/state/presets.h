@@ -56,6 +56,20 @@ inline constexpr auto kPresets = std::to_array<PresetRow>({
     {"close-up-rock", "Close-up, rock", "terrain",
         R"({"relievo":1,"mesh":"teapot","parameters":{"depth":0.085,"silhouettes":"prisms","depthOfHit":true,"shadows":true,"lightYaw":-70,"lightPitch":25,"lightIntensity":1.1,"environmentIntensity":0.3},"camera":{"yaw":-25,"pitch":25,"fov":35,"distance":0.5,"target":[-0.05,0.04,0.1]},"panes":[{"technique":"relief"}]})",
         "The same of rock, as figure 17 of Policarpo, Oliveira and Comba 2005."},
+    {"knight", "Chess knight", "bricks",
+        R"({"relievo":1,"mesh":"object:knight","parameters":{"shadows":true,"background":"gradient","ground":true,"tint":[0.35,0.2,0.11],"lightYaw":-40},"camera":{"yaw":25,"pitch":12,"fov":35,"fill":0.85},"panes":[{"technique":"object"}]})",
+        "A relief object: a knight of six depth maps on a box, searched in one pass; after figure 5.5 of the RTM project report."},
+    {"knight-forms", "Knight, three forms", "bricks",
+        R"({"relievo":1,"mesh":"object:knight","parameters":{"shadows":false,"background":"gradient","ground":true,"lightYaw":-40},"camera":{"yaw":40,"pitch":25,"fov":35,"fill":0.85},"panes":[{"technique":"object-sides","overrides":{"crossDiscard":false}},{"technique":"object-sides","overrides":{"crossDiscard":true}},{"technique":"object"}]})",
+        "The same by sides alone, by sides that discard across each other, and in one pass: the faults of figures 5.2 and 5.5 of the RTM "
+        "project report, and their cure."},
+    {"dual-depth", "Dual-depth figure", "bricks",
+        R"({"relievo":1,"mesh":"object:character@2","parameters":{"shadows":true,"background":"gradient","ground":true,"tint":[0.72,0.66,0.55]},"camera":{"yaw":50,"pitch":12,"fov":35,"fill":0.85},"panes":[{"technique":"object"}]})",
+        "A front and a back depth on one polygon: no skins, as figure 13 of Policarpo, Oliveira and Comba 2005. Look at it from behind."},
+    {"single-depth", "Single-depth figure", "bricks",
+        R"({"relievo":1,"mesh":"object:character@1","parameters":{"shadows":true,"background":"gradient","ground":true,"tint":[0.72,0.66,0.55]},"camera":{"yaw":50,"pitch":12,"fov":35,"fill":0.85},"panes":[{"technique":"object"}]})",
+        "The front depth alone: skins down to the back of the box, as the left of that figure. A relief on a box is seen through its sides "
+        "too (Policarpo 2004)."},
 });
 
 // nameOrFile: a key of kPresets, or a JSON file. Errors: neither.

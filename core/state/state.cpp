@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/state.h"
+#include "core/state/shapes.h"
 #include "core/state/techniques.h"
 #include <algorithm>
 #include <charconv>
@@ -11,7 +12,7 @@ namespace relievo {
 
 bool isObjectName(std::string_view mesh)
 {
-    return mesh.ends_with(kObjectSuffix);
+    return mesh.ends_with(kObjectSuffix) || !shapeOfObject(mesh).empty();
 }
 
 void fitTechniques(State& state)

@@ -44,7 +44,7 @@ public:
                         pane.overrides.erase(std::string(row.key));
                 });
             if (key == "mesh")
-                return file(value, key, state.mesh, !std::ranges::count(kShapes, value.is_string() ? value.get<std::string>() : ""));
+                return file(value, key, state.mesh, !isBuiltInMesh(value.is_string() ? value.get<std::string>() : ""));
             if (key == "part")
                 return text(value, key, state.part);
             if (key == "environment")

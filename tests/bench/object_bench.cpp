@@ -1,11 +1,14 @@
 // Relief objects against the mesh that they were baked from, from all around: how much of the picture is wrong, and how long baking takes.
-// object_bench [--bake] [MESH...]; without meshes the built-in torus, askew, and teapot. --bake: only the time and memory of baking a torus
-// of a million triangles to six sides of 1024 x 1024.
+// object_bench [--bake|--searches] [MESH...]; without meshes the built-in torus, askew, teapot and knight. --bake: only the time and memory
+// of baking a torus of a million triangles to six sides of 1024 x 1024. --searches: what each technique finds of a million rays, and reads.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/shapes/shapes.h"
 #include "core/object/bake/side_pictures.h"
 #include "core/object/object_search.h"
+#include "core/object/object_shader.h"
+#include "core/state/techniques.h"
+#include "tests/core/object/object_support.h"
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -96,6 +99,57 @@ int refuse(const Error& error)
 {
     std::fprintf(stderr, "%s\n", message(error).c_str());
     return 1;
+}
+
+// What a technique has found of many rays.
+struct Searched {
+    std::size_t wrong = 0, ties = 0, fetches = 0;
+    void operator+=(const Searched& more) { wrong += more.wrong, ties += more.ties, fetches += more.fetches; }
+};
+
+// Against the search in double precision on the same maps. The exact technique is wrong where it is off by a ten thousandth of the box and
+// no ray beside it agrees; the others, where they are off by kOff or find something where there is nothing.
+int searchAll(const Mesh& mesh)
+{
+    constexpr int kBatches = 1000, kRays = 1000;
+    const auto surface = MeshSurface::load(mesh, {});
+    if (!surface)
+        return refuse(surface.error());
+    for (const int layers : {1, 2, 4}) {
+        const auto baked = bakeDepths(*surface, {ObjectSides::Six, layers, 512, 2});
+        if (!baked)
+            return refuse(baked.error());
+        const ReliefObject& object = baked->object;
+        const ObjectTexels texels = objectTexels(object);
+        const double size = glm::length(object.half[0] + object.half[1] + object.half[2]), least = test::leastSize(object);
+        std::array<std::array<Searched, kObjectTechniques.size()>, kBatches> batches;
+        oneapi::tbb::parallel_for(0, kBatches, [&](int batch) {
+            std::mt19937 random{unsigned(batch)};
+            for (int i = 0; i < kRays; ++i) {
+                const glm::dvec3 to = object.center + 0.5 * size * test::evenDirection(random),
+                                 from = object.center + (i % 8 == 0 ? 0.3 : 3.) * size * test::evenDirection(random),
+                                 way = glm::normalize(to - from);
+                const auto exact = firstHit(object, from, way);
+                for (std::size_t k = 0; k < kObjectTechniques.size(); ++k) {
+                    const TechniqueRow& row = kObjectTechniques[k];
+                    const ObjectRayHit found = searchObject(row.key, {}, object, texels, from, way);
+                    const double off = row.isExact ? 1e-4 * least : kOff * 2. * size;
+                    const bool isRight = bool(exact) == found.found && (!exact || std::abs(exact->t - found.t) <= off);
+                    const bool isTie = !isRight && row.isExact && test::isTie(object, found, from, way);
+                    batches[std::size_t(batch)][k] += {!isRight && !isTie, isTie, std::size_t(found.fetches)};
+                }
+            }
+        });
+        for (std::size_t k = 0; k < kObjectTechniques.size(); ++k) {
+            Searched all;
+            for (const auto& batch : batches)
+                all += batch[k];
+            std::printf("| %s | %d | %s | %zu | %zu | %.1f |\n", mesh.name.c_str(), layers, kObjectTechniques[k].key.data(), all.wrong,
+                all.ties, double(all.fetches) / (kBatches * kRays));
+        }
+        std::fflush(stdout);
+    }
+    return 0;
 }
 
 int compareAll(const Mesh& mesh, RTCDevice device)
@@ -198,15 +252,20 @@ int main(int argc, char** argv)
 {
     if (argc > 1 && std::string(argv[1]) == "--bake")
         return timeBake();
+    const bool searches = argc > 1 && std::string(argv[1]) == "--searches";
+    const int first = searches ? 2 : 1;
     RTCDevice device = rtcNewDevice(nullptr);
-    std::printf("| mesh | sides | layers | size | outline wrong %% | another surface %% | depth RMSE, %% of the diameter "
-                "|\n|---|---|---|---|---|---|---|\n");
+    std::printf(searches ? "| mesh | layers | technique | wrong of 1 million | ties | fetches a ray |\n|---|---|---|---|---|---|\n"
+                         : "| mesh | sides | layers | size | outline wrong %% | another surface %% | depth RMSE, %% of the diameter "
+                           "|\n|---|---|---|---|---|---|---|\n");
+    const auto all = [&](const Mesh& mesh) { return searches ? searchAll(mesh) : compareAll(mesh, device); };
     int result = 0;
-    if (argc == 1)
-        result = compareAll(askew(*makeShape("torus")), device) + compareAll(*makeShape("teapot"), device);
-    for (int i = 1; i < argc && result == 0; ++i) {
+    if (argc == first)
+        for (const Mesh& mesh : {askew(*makeShape("torus")), *makeShape("teapot"), *makeShape("knight")})
+            result += all(mesh);
+    for (int i = first; i < argc && result == 0; ++i) {
         const auto mesh = openMesh(argv[i]);
-        result = mesh ? compareAll(*mesh, device) : refuse(mesh.error());
+        result = mesh ? all(*mesh) : refuse(mesh.error());
     }
     rtcReleaseDevice(device);
     return result;

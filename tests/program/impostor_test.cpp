@@ -16,7 +16,7 @@ TEST(Impostor, WritesWhatItTells)
     const ProgramRun run = runRelievo("impostor teapot -o " + (folder / "new/teapot") + " --size 32 --layers 2 --supersample 1 --json");
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const auto told = nlohmann::json::parse(run.out);
-    EXPECT_EQ(told["files"].size(), 6u * 5u + 1u);
+    EXPECT_EQ(told["files"].size(), 6u * 5u + 2u);
     for (const auto& file : told["files"])
         EXPECT_TRUE(fs::is_regular_file(file.get<std::string>())) << file;
     const auto read = readObject(told["object"].get<std::string>());
@@ -28,7 +28,31 @@ TEST(Impostor, WritesWhatItTells)
     const ProgramRun front = runRelievo("impostor box -o " + (folder / "front") + " --sides 1 --size 4");
     EXPECT_EQ(front.exitCode, 0) << front.err;
     EXPECT_EQ(front.out + front.err, "");
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder / "front"), fs::directory_iterator()), 5);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder / "front"), fs::directory_iterator()), 6);
+}
+
+// What it writes is drawn as it is, by the object's own techniques alone, and where the mesh is.
+TEST(Impostor, WhatItWritesIsDrawn)
+{
+    const TestFolder folder("impostor_drawn");
+    ASSERT_EQ(runRelievo("impostor torus -o " + (folder / "out") + " --size 48").exitCode, 0);
+    const std::string object = folder / "out/Torus.object.json", size = " --size 64x48 -o " + (folder / "a.png");
+    for (const std::string& source : {object, folder / "out/Torus.relievo", "sample:bricks --mesh " + object})
+        for (const char* technique : {"", " --technique object-steps", " --technique object-sides --set crossDiscard=false"}) {
+            const ProgramRun run = runRelievo("render " + source + technique + size);
+            EXPECT_EQ(run.exitCode, 0) << source << technique << run.err;
+        }
+    EXPECT_EQ(runRelievo("render " + object + " --view error-mesh" + size).exitCode, 0);
+    for (const std::string& odd : {object + " --technique relief", std::string("sample:bricks --technique object")}) {
+        const ProgramRun run = runRelievo("render " + odd + size);
+        EXPECT_EQ(run.exitCode, 2) << odd;
+        EXPECT_NE(run.err.find("relief object"), std::string::npos) << run.err;
+    }
+    const ProgramRun view = runRelievo("render " + object + " --view overshoot" + size);
+    EXPECT_EQ(view.exitCode, 1);
+    EXPECT_NE(view.err.find("relief objects"), std::string::npos) << view.err;
+    fs::rename(folder / "out", folder / "other"); // its paths go with it
+    EXPECT_EQ(runRelievo("render " + (folder / "other/Torus.relievo") + size).exitCode, 0);
 }
 
 TEST(Impostor, WrongOptionsAreWrongUsage)

@@ -1,4 +1,4 @@
-// Running `relievo compare` and `relievo report`.
+// Running `relievo compare`, `relievo report` and `relievo impostor`.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/decide/measuring_run.h"
@@ -29,7 +29,9 @@ const KindRow& rowOf(Action kind)
         QT_TRANSLATE_NOOP("MeasuringRun", "Drawing the contact sheet"), "sheet", {"png"}};
     static const KindRow report{"report", QT_TRANSLATE_NOOP("MeasuringRun", "Report"),
         QT_TRANSLATE_NOOP("MeasuringRun", "Measuring for the report"), "report", {"html", "csv", "json"}};
-    return kind == Action::ContactSheet ? sheet : report;
+    static const KindRow object{"impostor", QT_TRANSLATE_NOOP("MeasuringRun", "Relief object"),
+        QT_TRANSLATE_NOOP("MeasuringRun", "Baking the relief object"), "", {}};
+    return kind == Action::ContactSheet ? sheet : kind == Action::Report ? report : object;
 }
 
 QString text(const char* of)
@@ -40,6 +42,13 @@ QString text(const char* of)
 void open(const QString& file)
 {
     QDesktopServices::openUrl(QUrl::fromLocalFile(file));
+}
+
+// The project of the object that was written last.
+QString projectIn(const QString& folder)
+{
+    const QFileInfoList objects = QDir(folder).entryInfoList({"*.object.json"}, QDir::Files, QDir::Time);
+    return objects.isEmpty() ? QString() : objects.front().filePath().chopped(int(kObjectSuffix.size())) + ".relievo";
 }
 } // namespace
 
@@ -75,8 +84,10 @@ void MeasuringRun::start(Action kind, const QString& out, const QStringList& mor
     m_folder = std::make_unique<QTemporaryDir>();
     State state = ofPane(m_window.document().state(), std::size_t(m_window.viewport().activePane()));
     state.name = m_window.document().name().toStdString();
-    const QString project = m_folder->filePath("measured.relievo");
-    if (const auto written = writeState(state, project.toStdString()); !written)
+    QString subject = m_folder->filePath("measured.relievo");
+    if (kind == Action::Impostor)
+        subject = QString::fromStdString(state.mesh);
+    else if (const auto written = writeState(state, subject.toStdString()); !written)
         return end(false, QString::fromStdString(message(written.error())));
     m_process = new QProcess(this);
     m_process->setStandardOutputFile(QProcess::nullDevice());
@@ -92,7 +103,7 @@ void MeasuringRun::start(Action kind, const QString& out, const QStringList& mor
     });
     tellProgress(0);
     m_process->start(
-        QCoreApplication::applicationDirPath() + "/relievo", QStringList{rowOf(kind).command, project, "-o", out, "--progress"} + more);
+        QCoreApplication::applicationDirPath() + "/relievo", QStringList{rowOf(kind).command, subject, "-o", out, "--progress"} + more);
 }
 
 // "\r 42 %" while it works, lines when it has something to say.
@@ -132,12 +143,15 @@ void MeasuringRun::end(bool written, const QString& why)
     m_process = nullptr;
     m_folder.reset();
     if (written) {
-        rememberSaved(m_out);
+        const bool isObject = m_kind == Action::Impostor;
         const QString told = tr("%1 written to %2.").arg(text(rowOf(m_kind).title), QDir::toNativeSeparators(m_out));
-        m_window.messages().set(
-            "measuring", QList<Message>{{.text = told, .isNotice = true, .choices = {{tr("Open"), [out = m_out] { open(out); }}}}});
+        const auto show = [this, isObject, out = m_out] { isObject ? m_window.files().open(projectIn(out)) : open(out); };
+        m_window.messages().set("measuring", QList<Message>{{.text = told, .isNotice = true, .choices = {{tr("Open"), show}}}});
         m_toldLongEnough.start();
-        open(m_out);
+        if (!isObject) {
+            rememberSaved(m_out);
+            open(m_out);
+        }
     } else if (!why.isEmpty()) {
         m_window.messages().set("measuring", QList<Message>{{.isError = true, .text = why}});
     }

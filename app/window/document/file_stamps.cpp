@@ -38,7 +38,7 @@ FileStamps stampsOf(const State& state)
     for (const MapSlot& slot : state.slots)
         if (!slot.empty() && !namesSample(slot.file))
             stamps[slot.file] = stampOf(slot.file);
-    if (!std::ranges::count(kShapes, state.mesh))
+    if (!isBuiltInMesh(state.mesh))
         stamps[state.mesh] = stampOf(state.mesh);
     for (const fs::path& file : buffersBeside(state.mesh))
         stamps[file.string()] = stampOfFile(file);

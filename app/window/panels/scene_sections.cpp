@@ -106,9 +106,13 @@ MeshSection::MeshSection(QWidget* parent)
 
 void MeshSection::show(const State& state, const Mesh* mesh, bool missing)
 {
+    const std::string_view ofObject = shapeOfObject(state.mesh);
     const auto shape = std::find(kShapes.begin(), kShapes.end(), state.mesh);
     m_shapes->setCurrent(shape == kShapes.end() ? -1 : int(shape - kShapes.begin()));
-    showFile(*m_name, state.mesh, missing, "dim");
+    if (ofObject.empty())
+        showFile(*m_name, state.mesh, missing, "dim");
+    else
+        m_name->setFullText(tr("%1, as a relief object").arg(qt(ofObject)));
     m_name->setVisible(shape == kShapes.end());
     m_facts->setFullText(missing ? tr("a plane stands in") : mesh ? meshFacts(*mesh) : QString());
     showParts(state, mesh);

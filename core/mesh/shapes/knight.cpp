@@ -28,7 +28,7 @@ struct Tube {
 constexpr Station kBase[] = {{{0.f, -0.13f}, {0.17f, 0.17f}}, {{0.f, -0.2f}, {0.19f, 0.19f}}, {{0.f, -0.235f}, {0.235f, 0.235f}},
     {{0.f, -0.27f}, {0.235f, 0.235f}}, {{0.f, -0.3f}, {0.19f, 0.19f}}, {{0.f, -0.345f}, {0.215f, 0.215f}}, {{0.f, -0.39f}, {0.28f, 0.28f}},
     {{0.f, -0.42f}, {0.3f, 0.3f}}, {{0.f, -0.47f}, {0.3f, 0.3f}}};
-constexpr Station kBody[] = {{{0.29f, 0.125f}, {0.05f, 0.045f}}, {{0.25f, 0.165f}, {0.065f, 0.055f}}, {{0.18f, 0.235f}, {0.085f, 0.062f}},
+constexpr Station kNeck[] = {{{0.29f, 0.125f}, {0.05f, 0.045f}}, {{0.25f, 0.165f}, {0.065f, 0.055f}}, {{0.18f, 0.235f}, {0.085f, 0.062f}},
     {{0.1f, 0.305f}, {0.115f, 0.075f}}, {{0.01f, 0.31f}, {0.125f, 0.08f}}, {{-0.06f, 0.22f}, {0.135f, 0.085f}},
     {{-0.075f, 0.09f}, {0.15f, 0.1f}}, {{-0.035f, -0.05f}, {0.16f, 0.13f}}, {{0.f, -0.2f}, {0.15f, 0.145f}}};
 constexpr Station kMane[] = {{{0.02f, 0.4f}, {0.03f, 0.02f}}, {{-0.07f, 0.395f}, {0.045f, 0.028f}}, {{-0.155f, 0.31f}, {0.05f, 0.03f}},
@@ -97,7 +97,7 @@ void addTube(Mesh& mesh, const Tube& tube)
 void makeKnight(Mesh& mesh)
 {
     addTube(mesh, {.stations = kBase, .tilesAround = 4.f, .columns = 64, .rows = 192, .cap = 0.2f});
-    addTube(mesh, {.stations = kBody, .tilesAround = 3.f, .columns = 56, .rows = 96});
+    addTube(mesh, {.stations = kNeck, .tilesAround = 3.f, .columns = 56, .rows = 96});
     addTube(mesh, {.stations = kMane, .tilesAround = 1.f, .columns = 32, .rows = 128, .waves = 6.f});
     addTube(mesh, {.stations = kCheek, .tilesAround = 2.f, .columns = 40, .rows = 48, .cap = 1.f});
     for (const float side : {-1.f, 1.f})

@@ -5,6 +5,7 @@
 #include "core/ground/file.h"
 #include "core/image/files/image_file.h"
 #include "core/object/object_file.h"
+#include "core/object/object_looks.h"
 #include "core/object/object_sides.h"
 #include "tests/core/mesh/mesh_support.h"
 #include "tests/core/object/object_meshes.h"
@@ -170,4 +171,59 @@ TEST(ObjectFile, AFailureLeavesNothingBehind)
     ASSERT_FALSE(stopped);
     EXPECT_TRUE(isCancelled(stopped.error()));
     EXPECT_FALSE(fs::exists(scratch.path / "out"));
+}
+
+// The papers' packing: both depths are told from the side's face, and 1 is nothing.
+TEST(ObjectFile, PackedPicturesHoldBothDepthsAndNormals)
+{
+    const Scratch scratch;
+    Image packed{2, 1, 4, PixelType::U8, 8, false, {}};
+    for (const int value : {255, 128, 204, 51, 128, 128, 255, 255}) // a normal along u, back 0.8, front 0.2; then nothing
+        packed.data.push_back(std::byte(value));
+    ASSERT_TRUE(writeImage(scratch.path / "dual.png", packed));
+    const fs::path file = scratch.path / "dual.object.json";
+    nlohmann::json object{{"relievoObject", 1}, {"sides", 2},
+        {"box", {{"center", {0, 0, 0}}, {"halfAxes", {{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.1}}}}},
+        {"maps", {{{"side", "+z"}, {"kind", "packed"}, {"file", "dual.png"}}}}};
+    put(file, object);
+    const auto maps = readObjectMaps(file);
+    ASSERT_TRUE(maps) << message(maps.error());
+    EXPECT_TRUE(maps->warnings.empty());
+    const AxisMap& map = maps->object.axes[2];
+    EXPECT_EQ(map.at(0, 0, 0), (Interval{13107, 52428}));
+    EXPECT_FALSE(map.at(1, 0, 0).isSolid());
+    EXPECT_FALSE(maps->object.axes[0].isGiven());
+    ASSERT_TRUE(maps->looks[4].normal && maps->looks[5].normal); // the second made of the depths
+    EXPECT_GT(maps->looks[4].normal->value(0, 0, 0), 0.95f);
+    EXPECT_NEAR(maps->looks[4].normal->value(1, 0, 2), 1.f, 1e-3f);
+    EXPECT_NEAR(maps->looks[5].normal->value(0, 0, 2), 1.f, 1e-3f);
+    EXPECT_FALSE(maps->looks[4].color);
+
+    object["maps"] = {{{"side", "+z"}, {"kind", "depth"}, {"file", "dual.png"}, {"convention", "height"}}};
+    object["sides"] = 1;
+    put(file, object);
+    const auto heights = readObjectMaps(file);
+    ASSERT_TRUE(heights) << message(heights.error());
+    EXPECT_EQ(heights->object.axes[2].at(0, 0, 0).front, 0); // white is near
+    EXPECT_EQ(heights->object.axes[2].at(1, 0, 0).front, 65535 - 128 * 257);
+}
+
+// A plane that is tilted by 45 degrees along u, on a box that is not a cube, from both its sides.
+TEST(ObjectFile, NormalsThatNoPictureBringsAreThoseOfTheDepths)
+{
+    ReliefObject object;
+    object.half = {glm::dvec3(1., 0., 0.), glm::dvec3(0., 0.5, 0.), glm::dvec3(0., 0., 2.)};
+    object.axes[2] = {8, 4, 1, {}};
+    for (int i = 0; i < 32; ++i) {
+        const double depth = (i % 8 + 0.5) / 8. * 2. / 4.; // 2 m along u, 4 m deep
+        object.axes[2].intervals.push_back({std::uint16_t(depth * 65535.), std::uint16_t((depth + 0.25) * 65535.)});
+    }
+    const Image front = normalsOfDepths(object, 2, false), back = normalsOfDepths(object, 2, true);
+    const double half = std::sqrt(0.5);
+    for (int i = 0; i < 32; ++i) {
+        EXPECT_NEAR(2. * double(front.value(i % 8, i / 8, 0)) - 1., half, 1e-3);
+        EXPECT_NEAR(2. * double(front.value(i % 8, i / 8, 1)) - 1., 0., 1e-3);
+        EXPECT_NEAR(2. * double(front.value(i % 8, i / 8, 2)) - 1., half, 1e-3);
+        EXPECT_NEAR(2. * double(back.value(i % 8, i / 8, 0)) - 1., -half, 1e-3);
+    }
 }

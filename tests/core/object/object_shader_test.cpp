@@ -8,7 +8,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <numbers>
 #include <random>
 
 using namespace relievo;
@@ -16,12 +15,6 @@ using namespace relievo::test;
 
 namespace {
 using Random = std::mt19937;
-
-glm::dvec3 anyDirection(Random& random)
-{
-    std::normal_distribution<double> value;
-    return glm::normalize(glm::dvec3(value(random), value(random), value(random)));
-}
 
 std::vector<Solid> anySolids(Random& random, int count)
 {
@@ -40,22 +33,6 @@ void place(ReliefObject& object)
     object.half = {1. * x, 0.5 * y, 1.5 * glm::cross(x, y)};
 }
 
-// Whether the answer is that of a ray which lies a ten thousandth of the box beside: at outlines and edges either is right.
-bool isTie(const ReliefObject& object, const ObjectRayHit& found, glm::dvec3 origin, glm::dvec3 direction)
-{
-    const double size = 2. * glm::length(object.half[1]);
-    const glm::dvec3 u
-        = glm::normalize(glm::cross(direction, std::abs(direction.y) < 0.9 ? glm::dvec3(0., 1., 0.) : glm::dvec3(1., 0., 0.)));
-    const glm::dvec3 v = glm::cross(direction, u);
-    for (int i = 0; i < 16; ++i) {
-        const double angle = i * std::numbers::pi / 8., by = (i % 2 == 0 ? 1e-4 : 3e-5) * size;
-        const auto beside = firstHit(object, origin + by * (std::cos(angle) * u + std::sin(angle) * v), direction);
-        if (bool(beside) == found.found && (!beside || std::abs(beside->t - found.t) < 1e-3 * size))
-            return true;
-    }
-    return false;
-}
-
 struct Compared {
     int hits = 0, wrong = 0, ties = 0;
     double fetches = 0.;
@@ -65,10 +42,10 @@ struct Compared {
 Compared compared(const ReliefObject& object, int rays, Random& random)
 {
     const ObjectTexels texels = objectTexels(object);
-    const double size = 2. * glm::length(object.half[1]);
+    const double size = leastSize(object);
     Compared sum;
     for (int i = 0; i < rays; ++i) {
-        const glm::dvec3 target = object.center + 0.3 * size * anyDirection(random), from = anyDirection(random);
+        const glm::dvec3 target = object.center + 0.3 * size * evenDirection(random), from = evenDirection(random);
         const glm::dvec3 origin = object.center + (i % 4 == 0 ? 0.4 : 4.) * size * from, direction = glm::normalize(target - origin);
         const auto exact = firstHit(object, origin, direction);
         const ObjectRayHit found = searchObject("object", {}, object, texels, origin, direction);
@@ -128,7 +105,7 @@ TEST(ObjectShader, ReadsLessThanSearchingSideBySide)
     const ObjectTexels texels = objectTexels(object);
     double once = 0., bySides = 0.;
     for (int i = 0; i < 2000; ++i) {
-        const glm::dvec3 origin = 2. * anyDirection(random), direction = glm::normalize(0.3 * anyDirection(random) - origin);
+        const glm::dvec3 origin = 2. * evenDirection(random), direction = glm::normalize(0.3 * evenDirection(random) - origin);
         once += searchObject("object", {}, object, texels, origin, direction).fetches;
         bySides += searchObject("object-sides", {}, object, texels, origin, direction).fetches;
     }

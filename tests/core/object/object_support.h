@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "core/object/relief_object.h"
+#include "core/object/object_search.h"
+#include "core/object/object_shader.h"
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
+#include <random>
 #include <utility>
 
 namespace relievo::test {
@@ -70,6 +73,35 @@ inline ReliefObject objectOf(const std::vector<Solid>& solids, int size, int lay
     for (std::size_t axis = 0; axis < 3; ++axis)
         object.axes[axis] = mapOf(solids, axis, size, size, layers);
     return object;
+}
+
+// Evenly over the sphere.
+inline glm::dvec3 evenDirection(std::mt19937& random)
+{
+    std::normal_distribution<double> value;
+    return glm::normalize(glm::dvec3(value(random), value(random), value(random)));
+}
+
+// m, of the box.
+inline double leastSize(const ReliefObject& object)
+{
+    return 2. * std::min({glm::length(object.half[0]), glm::length(object.half[1]), glm::length(object.half[2])});
+}
+
+// Whether the answer is that of a ray which lies a ten thousandth of the box beside: at outlines and edges either is right.
+inline bool isTie(const ReliefObject& object, const ObjectRayHit& found, glm::dvec3 origin, glm::dvec3 direction)
+{
+    const double size = leastSize(object);
+    const glm::dvec3 u
+        = glm::normalize(glm::cross(direction, std::abs(direction.y) < 0.9 ? glm::dvec3(0., 1., 0.) : glm::dvec3(1., 0., 0.)));
+    const glm::dvec3 v = glm::cross(direction, u);
+    for (int i = 0; i < 16; ++i) {
+        const double angle = i * std::numbers::pi / 8., by = (i % 2 == 0 ? 1e-4 : 3e-5) * size;
+        const auto beside = firstHit(object, origin + by * (std::cos(angle) * u + std::sin(angle) * v), direction);
+        if (bool(beside) == found.found && (!beside || std::abs(beside->t - found.t) < 1e-3 * size))
+            return true;
+    }
+    return false;
 }
 
 } // namespace relievo::test
