@@ -69,7 +69,7 @@ Expected<Mesh> openSceneMesh(const std::string& nameOrFile, const Progress& prog
     if (!isObjectName(nameOrFile))
         return openMesh(nameOrFile, progress);
     const std::string_view shape = shapeOfObject(nameOrFile);
-    const std::filesystem::path file = shape.empty() ? thatLooksLike(nameOrFile).value_or(nameOrFile) : nameOrFile;
+    const std::filesystem::path file = shape.empty() ? thatLooksLike(nameOrFile).value_or(nameOrFile) : std::filesystem::path();
     auto maps = shape.empty() ? readObjectMaps(file, progress) : bakedShape(nameOrFile, shape, progress);
     if (!maps)
         return tl::unexpected(maps.error());

@@ -7,8 +7,8 @@
 
 namespace relievo {
 
-// State::mesh: as openMesh, or "object:SHAPE" (core/state/shapes.h) or NAME.object.json (resources/help/objects.md): then the mesh is the object's box, in its own place and size,
-// and carries the object. Errors: of both.
+// State::mesh: as openMesh, or "object:SHAPE" (core/state/shapes.h) or NAME.object.json (resources/help/objects.md): then the mesh is the
+// object's box, in its own place and size, and carries the object. Errors: of both.
 Expected<Mesh> openSceneMesh(const std::string& nameOrFile, const Progress& progress = {});
 
 // The box of an object, each side with its own corners, which counts as one part.

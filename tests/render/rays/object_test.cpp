@@ -6,6 +6,7 @@
 #include "core/object/object_search.h"
 #include "core/scene/scene_mesh.h"
 #include "core/state/techniques.h"
+#include "core/state/views.h"
 #include "tests/core/mesh/mesh_support.h"
 #include "tests/render/mesh_support.h"
 #include <glm/geometric.hpp>
@@ -100,7 +101,7 @@ TEST(ObjectPictures, EveryTechniqueAndViewDrawsFiniteValues)
     for (const TechniqueRow& technique : kObjectTechniques)
         for (const ViewRow& view : kViews) {
             State state = stateOfObject(file, std::string(technique.key).c_str());
-            const Resources resources = resourcesOf(state);
+            Resources resources = resourcesOf(state);
             if (view.isAgainstExact) {
                 EXPECT_FALSE(drawPicture(renderer, state, 0, resources, view.key, 80, 60, 1, true)) << view.key;
                 continue;
@@ -165,10 +166,10 @@ TEST(ObjectPictures, OnlyObjectsAreDrawnByTheirTechniques)
     ASSERT_TRUE(context);
     Renderer renderer;
     State mesh = stateOfObject("torus");
-    const Resources ofMesh = resourcesOf(mesh);
+    Resources ofMesh = resourcesOf(mesh);
     EXPECT_FALSE(drawPicture(renderer, mesh, 0, ofMesh, "shaded", 16, 16, 1, true));
     State object = stateOfObject(baked(folder, "box", {ObjectSides::Six, 1, 4, 1}), "relief");
-    const Resources ofObject = resourcesOf(object);
+    Resources ofObject = resourcesOf(object);
     const auto drawn = drawPicture(renderer, object, 0, ofObject, "shaded", 16, 16, 1, true);
     ASSERT_FALSE(drawn);
     EXPECT_NE(message(drawn.error()).find("relief object"), std::string::npos);
