@@ -80,6 +80,8 @@ struct Parameters { // the initialisers ARE the defaults
     glm::vec3 sheenColor{1.f};
     float sheenRoughness = 0.4f;
     float transmission = 0.f;
+    float anisotropyStrength = 0.f;
+    float anisotropyRotation = 0.f;
     // Light
     LightKind lightKind = LightKind::Directional;
     float lightYaw = -50.f;
@@ -826,6 +828,23 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .help = "Share of the light that goes through instead of being scattered: the surroundings, bent by Refraction; a way of one "
                 "relief depth "
                 "colors it as the base color."},
+    {.member = &Parameters::anisotropyStrength,
+        .key = "anisotropyStrength",
+        .label = "Anisotropy strength",
+        .group = Group::Layers,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Layer, .files = {"layers/stretch_none.glsl", "layers/stretch.glsl"}},
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Stretches highlights and reflections along one direction of the surface, as brushed metal, hair and records have them."},
+    {.member = &Parameters::anisotropyRotation,
+        .key = "anisotropyRotation",
+        .label = "Anisotropy rotation",
+        .group = Group::Layers,
+        .min = -180.f,
+        .max = 180.f,
+        .unit = "deg",
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Direction in which highlights are stretched, counter-clockwise from the texture's u; scratches run across it."},
 
     detail::lightKindRow(&Parameters::lightKind, "lightKind", Group::Light),
     detail::lightYawRow(&Parameters::lightYaw, "lightYaw", Group::Light, &Parameters::lightKind, true),

@@ -47,14 +47,17 @@ TEST(ProgramText, LayersThatAreOffCostNothing)
 {
     Parameters parameters;
     const std::string plain = textOf("relief", "shaded", parameters).fragment.text;
-    for (const char* word : {"clearcoat", "sheen", "transmission", "opticsMap", "lookDirection"})
+    for (const char* word : {"clearcoat", "sheen", "transmission", "opticsMap", "lookDirection", "anisotropyStrength"})
         EXPECT_FALSE(mentionsIdentifier(plain, word)) << word;
-    parameters.clearcoatRoughness = 0.5f, parameters.sheenRoughness = 1.f;
+    parameters.clearcoatRoughness = 0.5f, parameters.sheenRoughness = 1.f, parameters.anisotropyRotation = 40.f;
     EXPECT_EQ(textOf("relief", "shaded", parameters).fragment.text, plain);
     parameters.clearcoat = 0.5f;
     const ProgramText coated = textOf("relief", "shaded", parameters);
     EXPECT_TRUE(coated.fragment.mentions("clearcoat"));
     EXPECT_FALSE(coated.fragment.mentions("sheenColor"));
+    EXPECT_FALSE(coated.fragment.mentions("anisotropyStrength"));
+    parameters.anisotropyStrength = 0.5f;
+    EXPECT_TRUE(textOf("relief", "shaded", parameters).fragment.mentions("anisotropyStrength"));
     parameters.shading = Shading::BlinnPhong; // has no such layers
     EXPECT_FALSE(textOf("relief", "shaded", parameters).fragment.mentions("clearcoat"));
     EXPECT_EQ(textOf("relief", "depth", parameters).fragment.text, textOf("relief", "depth").fragment.text);
