@@ -136,6 +136,9 @@ struct Parameters { // the initialisers ARE the defaults
     float vignette = 0.f;
     float fStop = 0.f;
     float focusDistance = 0.f;
+    float bloom = 0.f;
+    float bloomThreshold = 1.f;
+    float bloomSize = 0.1f;
     // View
     Backdrop background = Backdrop::Plain;
     glm::vec3 backgroundColor{0.5f};
@@ -972,6 +975,26 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .max = 10000.f,
         .unit = "m",
         .help = "How far from the eye the picture is sharp; 0: where the camera looks."},
+    {.member = &Parameters::bloom,
+        .key = "bloom",
+        .label = "Glow",
+        .group = Group::Camera,
+        .affects = {Affects::ProgramText},
+        .help = "Share of the light above the threshold that is spread around bright places, as a lens and the eye do; none is added."},
+    {.member = &Parameters::bloomThreshold,
+        .key = "bloomThreshold",
+        .label = "Glow threshold",
+        .group = Group::Camera,
+        .max = 100.f,
+        .unit = "x white",
+        .help = "Light up to this stays where it is; 1 is white before the tone curve, with the exposure. 0 spreads all of it, as haze."},
+    {.member = &Parameters::bloomSize,
+        .key = "bloomSize",
+        .label = "Glow size",
+        .group = Group::Camera,
+        .min = 0.005f,
+        .unit = "height",
+        .help = "How far the glow reaches, as a share of the picture's height: it looks alike at any resolution."},
 
     {.member = &Parameters::background,
         .key = "background",
