@@ -9,8 +9,8 @@
 namespace relievo {
 
 namespace {
-constexpr int kWidth = 48, kHeight = 36, kFiner = 16, kSamples = 4; // of the reference: shifted pictures too, for slanted views
-constexpr double kTexels[] = {1., 4., 16.}, kAngles[] = {30., 75.};
+constexpr int kFarWidth = 48, kFarHeight = 36, kFiner = 16, kFarSamples = 4; // of the reference: shifted pictures too, for slanted views
+constexpr double kFarTexels[] = {1., 4., 16.}, kFarAngles[] = {30., 75.};
 
 struct Filters {
     const char* label;
@@ -24,9 +24,9 @@ constexpr Filters kFilters[] = {
     {"mip levels", true, true, false, 1.f, NormalFiltering::Off},
     {"anisotropy 4", true, true, false, 4.f, NormalFiltering::Off},
     {"anisotropy 16", true, true, false, 16.f, NormalFiltering::Off},
-    {"anisotropy 16, coarser heights", true, true, true, 16.f, NormalFiltering::Off},
-    {"the same, normals by Toksvig", true, true, true, 16.f, NormalFiltering::Toksvig},
-    {"the same, normals by variance", true, true, true, 16.f, NormalFiltering::Variance},
+    {"anisotropy 16 and coarser heights", true, true, true, 16.f, NormalFiltering::Off},
+    {"the same and normals by Toksvig", true, true, true, 16.f, NormalFiltering::Toksvig},
+    {"the same and normals by variance", true, true, true, 16.f, NormalFiltering::Variance},
 };
 constexpr const Filters& kReference = kFilters[1];
 
@@ -43,13 +43,14 @@ double luminance(const Image& image, int x, int y)
     return 0.2126 * double(image.value(x, y, 0)) + 0.7152 * double(image.value(x, y, 1)) + 0.0722 * double(image.value(x, y, 2));
 }
 
-// Light of kWidth x kHeight pixels, each the mean of finer x finer.
+// Light of kFarWidth x kFarHeight pixels, each the mean of finer x finer.
 std::vector<double> lightOf(const Image& image, int finer)
 {
-    std::vector<double> light(std::size_t(kWidth) * std::size_t(kHeight));
+    std::vector<double> light(std::size_t(kFarWidth) * std::size_t(kFarHeight));
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            light[std::size_t(y / finer) * std::size_t(kWidth) + std::size_t(x / finer)] += luminance(image, x, y) / double(finer * finer);
+            light[std::size_t(y / finer) * std::size_t(kFarWidth) + std::size_t(x / finer)]
+                += luminance(image, x, y) / double(finer * finer);
     return light;
 }
 
@@ -71,21 +72,21 @@ Expected<FarSection> measureFarViews(Renderer& renderer, const State& state, con
     const TechniqueRow* technique = findTechnique(state.panes.front().technique);
     if (!technique || !resources.material->height)
         return failure(state.name, "there is no technique or no height map to draw", "Assign one");
-    FarSection section{state.name, std::string(technique->label), kWidth, kHeight, kFiner, {}, {}};
+    FarSection section{state.name, std::string(technique->label), kFarWidth, kFarHeight, kFiner, {}, {}};
     const bool hasNormals = resources.material->map(MapKind::Normal) != nullptr;
     for (const Filters& filters : kFilters)
         if (hasNormals || filters.normals == NormalFiltering::Off)
             section.rows.push_back({filters.label, {}});
-    for (const double angle : kAngles)
-        for (const double texels : kTexels) {
+    for (const double angle : kFarAngles)
+        for (const double texels : kFarTexels) {
             State view = fillingView(state, angle);
-            view.parameters.tiling *= float(texels * kWidth / (double(resources.material->height->width()) * kTilesAcross));
+            view.parameters.tiling *= float(texels * kFarWidth / (double(resources.material->height->width()) * kTilesAcross));
             const auto light = [&](const Filters& filters, int finer, int samples) {
-                return drawPicture(renderer, filtered(view, filters), 0, resources, knownView("shaded").key, kWidth * finer,
-                    kHeight * finer, samples, true)
+                return drawPicture(renderer, filtered(view, filters), 0, resources, knownView("shaded").key, kFarWidth * finer,
+                    kFarHeight * finer, samples, true)
                     .map([finer](const Image& image) { return lightOf(image, finer); });
             };
-            const auto right = light(kReference, kFiner, kSamples);
+            const auto right = light(kReference, kFiner, kFarSamples);
             if (!right)
                 return tl::unexpected(right.error());
             for (std::size_t row = 0; row < section.rows.size(); ++row) {
@@ -97,7 +98,7 @@ Expected<FarSection> measureFarViews(Renderer& renderer, const State& state, con
             section.views.push_back({angle, texels});
             if (progress.cancelled())
                 return cancelled("the report");
-            progress.at(float(section.views.size()) / float(std::size(kAngles) * std::size(kTexels)));
+            progress.at(float(section.views.size()) / float(std::size(kFarAngles) * std::size(kFarTexels)));
         }
     return section;
 }

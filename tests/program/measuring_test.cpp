@@ -115,10 +115,7 @@ TEST(Measuring, FarViewsTellWhatEachFilterGetsWrong)
 {
     TestFolder folder("far");
     const std::string report = "report sample:bricks@128 --far-views --fast --rays 5 --techniques bump --quiet ";
-    ProgramRun run = runRelievo(report + "-o " + (folder / "r.json"));
-    ASSERT_EQ(run.exitCode, 0) << run.err;
-    EXPECT_EQ(json::parse(*relievo::readText(folder / "r.json"))["farViews"]["rows"].size(), 6u * 6u); // no normal map, none to filter
-    run = runRelievo("bake sample:bricks@128 --map normal --quiet -o " + (folder / "n.png"));
+    ProgramRun run = runRelievo("bake sample:bricks@128 --map normal --quiet -o " + (folder / "n.png"));
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const std::string command = report + "--normal " + (folder / "n.png") + " -o ";
     run = runRelievo(command + (folder / "r.json"));
@@ -145,9 +142,6 @@ TEST(Measuring, FarViewsTellWhatEachFilterGetsWrong)
     for (; std::getline(csv, line); lines += line.find(",far ") != line.npos)
         EXPECT_EQ(std::ranges::count(line, ','), std::ranges::count(head, ',')) << line;
     EXPECT_EQ(lines, 8 * 6);
-    run = runRelievo(command + (folder / "r.html"));
-    ASSERT_EQ(run.exitCode, 0) << run.err;
-    EXPECT_NE(relievo::readText(folder / "r.html")->find("<h2>Far away</h2>"), std::string::npos);
 }
 
 TEST(Measuring, ReportOnTheHardCases)
