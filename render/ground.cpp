@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/gl/scoped_state.h"
+#include "render/glow.h"
 #include "render/passes.h"
 #include <algorithm>
 #include <glm/common.hpp>
@@ -68,6 +69,7 @@ void drawGround(DrawContext& context, Frame& frame)
     program->set("groundPlace[0]", {glm::vec4(place.centre, place.height), glm::vec4(place.half, place.reach)});
     if (!context.noVertices)
         context.noVertices = newVertexArray();
+    const ScopedUnlit unlit(frame.features.glows);
     const ScopedEnable blending(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glBindVertexArray(*context.noVertices);

@@ -19,7 +19,8 @@ ProgramFeatures intoShadowMap(ProgramFeatures features, const TechniqueRow& tech
     for (const ParameterRow& row : kParameters) // nothing is lit or shown
         if (row.shader.place != ShaderPlace::Surface)
             features.setVariant(row.member, 0);
-    features.shadows = features.softShadows = features.horizonShadows = features.severalLights = features.objectShadows = false;
+    features.shadows = features.softShadows = features.horizonShadows = features.severalLights = features.objectShadows = features.glows
+        = false;
     features.setVariant(&Parameters::edgeFade, 0); // by the eye's view, not the light's
     features.setVariant(&Parameters::depthOfHit, technique.displaces ? 1 : 0);
     return features;

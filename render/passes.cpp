@@ -4,6 +4,7 @@
 #include "render/passes.h"
 #include "render/clear_target.h"
 #include "render/gl/scoped_state.h"
+#include "render/glow.h"
 #include "render/pane_values.h"
 #include <glm/geometric.hpp>
 #include <utility>
@@ -129,6 +130,7 @@ void drawWireframe(DrawContext& context, Frame& frame)
     const LinkedProgram* program = context.polygonProgramFor(frame.features.posed, frame.error);
     if (!program)
         return;
+    const ScopedUnlit unlit(frame.features.glows);
     const ScopedLines lines(frame.request.target().lineWidth);
     const ScopedEnable blending(GL_BLEND), offset(GL_POLYGON_OFFSET_LINE);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); // alpha stays the mesh's
@@ -149,7 +151,8 @@ bool wantsBackground(const Frame& frame)
 void drawBackground(DrawContext& context, Frame& frame)
 {
     const Backdrop behind = frame.parameters.background;
-    std::string name = "background/" + std::string(wordOf(behind)) + (frame.features.linear ? "/linear" : "");
+    std::string name
+        = "background/" + std::string(wordOf(behind)) + (frame.features.linear ? "/linear" : "") + (frame.features.glows ? "/light" : "");
     for (const ParameterRow& row : kParameters)
         if (row.shader.place == ShaderPlace::Display)
             name += '/' + std::to_string(frame.features.variant(row.member));
@@ -160,6 +163,7 @@ void drawBackground(DrawContext& context, Frame& frame)
     useProgram(context, frame, *program, frame.uniforms);
     if (!context.noVertices)
         context.noVertices = newVertexArray();
+    const ScopedUnlit unlit(frame.features.glows && behind == Backdrop::Gradient);
     const ScopedAtFarPlane far;
     glBindVertexArray(*context.noVertices);
     glDrawArrays(GL_TRIANGLES, 0, 3);

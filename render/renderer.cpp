@@ -6,6 +6,7 @@
 #include "render/clear_target.h"
 #include "render/frame.h"
 #include "render/gl/driver_limits.h"
+#include "render/glowing.h"
 #include "render/pane_values.h"
 #include "render/passes.h"
 #include <algorithm>
@@ -18,6 +19,7 @@ struct Renderer::Impl {
     DrawContext context;
     Framebuffer measuring;
     std::vector<float> pixels;
+    GlowingPictures glowing;
 };
 
 Renderer::Renderer() : m(std::make_unique<Impl>()) { }
@@ -33,11 +35,22 @@ int Renderer::textureCount() const
 
 Expected<void> Renderer::draw(const DrawRequest& request)
 {
+    const auto passes = [this](const DrawRequest& into) { return drawPasses(into); };
+    if (hasGlow(request))
+        return m->glowing.draw(request, passes, m->context.programs);
+    const auto drawn = passes(request);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    return drawn->error ? tl::unexpected(*drawn->error) : Expected<void>();
+}
+
+Expected<DrawnFrame> Renderer::drawPasses(const DrawRequest& request)
+{
     const Target& target = request.target();
     const ViewRow* view = findView(request.view());
     clearTarget(effectiveParameters(request.state(), request.pane()), target, view && view->isHeat);
     if (const auto drawable = canBeDrawnTo(target.width, target.height); !drawable)
-        return drawable;
+        return tl::unexpected(drawable.error());
     const Expected<float> exposure = meteredExposure(request);
     if (!exposure)
         return tl::unexpected(exposure.error());
@@ -45,6 +58,8 @@ Expected<void> Renderer::draw(const DrawRequest& request)
     if (!frame)
         return tl::unexpected(frame.error());
     frame->uniforms.exposureFactor *= *exposure;
+    if (frame->features.glows)
+        LightPicture::clear();
     for (const PassRow& pass : kPasses)
         if (pass.isWanted(*frame))
             pass.draw(m->context, *frame);
@@ -53,11 +68,9 @@ Expected<void> Renderer::draw(const DrawRequest& request)
     glUseProgram(0);
     if (const auto sufficed = memorySufficed(); !sufficed) {
         m->context.forgetUploads();
-        return sufficed;
+        return tl::unexpected(sufficed.error());
     }
-    if (frame->error)
-        return tl::unexpected(*frame->error);
-    return {};
+    return DrawnFrame{frame->parameters, frame->features, frame->uniforms, frame->error};
 }
 
 // The whole picture's, however small a part of it is drawn, and of the mesh alone.
@@ -77,6 +90,7 @@ Expected<float> Renderer::meteredExposure(const DrawRequest& request)
     state.panes[request.pane()].overrides.clear();
     state.parameters.background = Backdrop::Transparent;
     state.parameters.wireframe = state.parameters.ground = false;
+    state.parameters.bloom = 0.f;
     const float aspect = aspectOf(target);
     const int width = std::max(1, int(std::min(1.f, aspect) * kSide)), height = std::max(1, int(std::min(1.f, 1.f / aspect) * kSide));
     if (const auto made = m->measuring.resize(width, height, true); !made)

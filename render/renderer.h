@@ -12,6 +12,8 @@
 
 namespace relievo {
 
+struct DrawnFrame; // render/glowing.h
+
 // What a heat view shows, over the pixels that the mesh covers and of which it can tell; in its unit.
 struct HeatNumbers {
     double mean = 0, p99 = 0, most = 0; // p99: 99 % of the pixels show less or as much
@@ -48,7 +50,8 @@ public:
 
     // Draws the passes of a picture (passes.h). Uploads what it reads and was not uploaded yet, builds programs when needed; acceleration
     // maps must be there. On a broken shader the last program that linked is used, and the error is returned after drawing. Alpha is 1 on
-    // the mesh and on a plain or environment background, 0 on a transparent one.
+    // the mesh and on a plain or environment background, 0 on a transparent one; a glow leaves it. With a glow, rows of a picture have to
+    // be drawn in order from below, no other picture between them; they are there when the last one is.
     Expected<void> draw(const DrawRequest& request);
 
     // Mean texture fetches a covered pixel of this view of the material, from a picture of at most 320 x 200.
@@ -65,6 +68,7 @@ public:
 
 private:
     struct Impl;
+    Expected<DrawnFrame> drawPasses(const DrawRequest& request); // into the request's target
     Expected<float> meteredExposure(const DrawRequest& request); // what Parameters::autoExposure multiplies light by; 1 without
     std::unique_ptr<Impl> m;
 };

@@ -8,6 +8,7 @@
 #include "core/ground/text.h"
 #include "core/image/files/image_file.h"
 #include "core/image/samples/hard_cases.h"
+#include "render/measure/far_views.h"
 #include "render/measure/frame_time.h"
 #include "render/measure/mesh_errors.h"
 #include "render/measure/picture_errors.h"
@@ -29,7 +30,7 @@ struct ReportOptions {
     StateOptions state;
     std::string out;
     std::vector<std::string> more, techniques, angles;
-    bool hardCases = false, fast = false, noPictures = false;
+    bool hardCases = false, fast = false, noPictures = false, farViews = false;
     int rays = 5000, size = 0;
     std::uint32_t seed = 1;
 };
@@ -67,6 +68,8 @@ Result<void> check(const ReportOptions& options)
     const std::string suffix = lowerSuffix(options.out);
     if (suffix != ".html" && suffix != ".json" && suffix != ".csv")
         return problem({"a report is written as .html, .json or .csv", "-o " + options.out, "Choose one of these suffixes"}, WrongUsage);
+    if (options.farViews && options.noPictures)
+        return problem({"far views are pictures", "--far-views", "Leave out --no-pictures"}, WrongUsage);
     if (!options.hardCases && options.size > 0)
         return problem(
             {"a material is measured in its own size", "--size", "Use it with --hard-cases, or write sample:NAME@N"}, WrongUsage);
@@ -159,7 +162,14 @@ Expected<void> measurePictures(const ReportOptions& options, const std::vector<S
             return tl::unexpected(mesh.error());
         report.mesh = std::move(*mesh);
     }
-    GpuRun run{renderer, options, report, progress.part(0.2f, 1.f)};
+    const auto pictured = std::ranges::find_if(subjects, [](const Subject& subject) { return subject.resources.mesh != nullptr; });
+    if (options.farViews && pictured != subjects.end()) {
+        auto far = measureFarViews(renderer, pictured->state, pictured->resources, progress.part(0.2f, 0.3f));
+        if (!far)
+            return tl::unexpected(far.error());
+        report.far = std::move(*far);
+    }
+    GpuRun run{renderer, options, report, progress.part(0.3f, 1.f)};
     const std::size_t steps = subjects.size() * report.angles.size();
     for (std::size_t field = 0; field < subjects.size(); ++field) {
         Resources resources = subjects[field].resources.mesh ? fillingResources(subjects[field].resources) : Resources();
@@ -319,6 +329,8 @@ void addReport(CLI::App& app, int& exitCode)
         ->type_name("N");
     command->add_option("--seed", options->seed, "Seed of the rays; 1 when not given")->type_name("N");
     command->add_flag("--fast", options->fast, "Smaller pictures and fewer timed frames");
+    command->add_flag("--far-views", options->farViews,
+        "Also far views: how far their light is off with each setting of the filters, against supersampled pictures of the first SOURCE");
     command->add_flag("--no-pictures", options->noPictures, "Searches on the CPU only: no times of frames, no PSNR and FLIP");
     command->callback([options, &exitCode] {
         conclude(measureAndWrite(*options), options->common, exitCode, [&](const auto& report) {

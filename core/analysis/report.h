@@ -53,6 +53,25 @@ struct EngineRow {
 };
 inline constexpr std::array<double, 3> kEngineAngles = {30., 60., 80.};
 
+// Far views, lit: how a setting of the filters differs from the same view of many more pixels, averaged. At one distance, from one side.
+struct FarErrors {
+    double stops; // of the mean brightness; positive: brighter
+    double rmse; // of the pixels' light, share of its mean
+};
+struct FarView {
+    double angle, texelsAPixel; // degrees from the normal; along the picture's width
+};
+struct FarRow {
+    std::string label; // the setting
+    std::vector<FarErrors> errors; // by view
+};
+struct FarSection {
+    std::string field, technique; // labels
+    int width = 0, height = 0, finer = 0; // pixels, and how many more of them the reference has along each side
+    std::vector<FarView> views;
+    std::vector<FarRow> rows; // none: nothing was measured
+};
+
 struct Report {
     std::string title; // the source's name
     SweepPlan plan;
@@ -66,6 +85,7 @@ struct Report {
     int pictureWidth = 0, pictureHeight = 0;
 
     MeshSection mesh;
+    FarSection far;
     std::vector<EngineRow> engines; // every technique and field at each of kEngineAngles
 
     std::string heatField;
@@ -76,15 +96,18 @@ struct Report {
 
 // One self-contained file: no script, nothing fetched.
 std::string reportHtml(const Report& report);
-// {"title", "conditions", "settings", "fields", "rays": [...], "totals": [...], "pictures": [...], "engines": [...], "mesh", "warnings"};
-// percentages in percent.
+// {"title", "conditions", "settings", "fields", "rays": [...], "totals": [...], "pictures": [...], "engines": [...], "mesh", "farViews",
+// "warnings"}; percentages in percent; mesh and farViews where they were measured.
 std::string reportJson(const Report& report);
 // One line a setting, field and view: the rays of a band, or a picture at an angle; what does not apply is left empty. Where there are
 // several fields, lines of all of them together follow those of the rays. Then engines, "engine 30" as view. Last a line a row of the mesh:
-// no technique, its label as setting, the mesh as field, "mesh" as view, msRatio to the first of them; the tangents are not in it.
+// no technique, its label as setting, the mesh as field, "mesh" as view, msRatio to the first of them; the tangents are not in it. After
+// them far views: the filters as setting, "far 30 x4" (degrees, texels a pixel) as view.
 std::string reportCsv(const Report& report);
 // The page's table of engines, means over the fields; "" when there are none.
 std::string enginesHtml(const Report& report);
+// The page's table of far views; "" when there are none.
+std::string farHtml(const Report& report);
 
 // Three significant digits without an exponent: "0", "0.0312", "28.4", "1240".
 std::string figure(double value);

@@ -59,6 +59,18 @@ struct EngineColumn {
 constexpr EngineColumn kEngineColumns[]
     = {{"depthDrawn", &EngineDrawing::share}, {"meanError", &EngineDrawing::meanError}, {"tooHigh", &EngineDrawing::raised}};
 
+struct FarColumn {
+    const char* key;
+    double (*of)(const FarErrors& errors);
+};
+constexpr FarColumn kFarColumns[] = {{"brightnessStops", [](const FarErrors& e) { return e.stops; }},
+    {"lightRmsePercent", [](const FarErrors& e) { return 100. * e.rmse; }}};
+
+// Where the columns of each begin in a line of the CSV.
+constexpr std::size_t kPictures = std::size(kRayColumns), kEngines = kPictures + std::size(kPictureColumns),
+                      kMesh = kEngines + std::size(kEngineColumns), kFar = kMesh + std::size(kMeshColumns),
+                      kAllColumns = kFar + std::size(kFarColumns);
+
 std::string number(double value)
 {
     char buffer[40];
@@ -125,6 +137,20 @@ nlohmann::ordered_json engineLines(const Report& report)
     return lines;
 }
 
+nlohmann::ordered_json farJson(const FarSection& far)
+{
+    nlohmann::ordered_json json{{"field", far.field}, {"technique", far.technique}, {"width", far.width}, {"height", far.height},
+        {"finer", far.finer}, {"rows", nlohmann::ordered_json::array()}};
+    for (const FarRow& row : far.rows)
+        for (std::size_t view = 0; view < far.views.size(); ++view) {
+            nlohmann::ordered_json line{
+                {"label", row.label}, {"degrees", far.views[view].angle}, {"texelsAPixel", far.views[view].texelsAPixel}};
+            for (const FarColumn& column : kFarColumns)
+                line[column.key] = column.of(row.errors[view]);
+            json["rows"].push_back(std::move(line));
+        }
+    return json;
+}
 // Nothing where one field is all there is.
 std::vector<SweepRow> totalsOf(const Report& report)
 {
@@ -187,24 +213,67 @@ std::string reportJson(const Report& report)
             json["mesh"]["tangents"]
                 = {{"corners", mesh.tangents->corners}, {"off", mesh.tangents->off}, {"worstDegrees", mesh.tangents->worst}};
     }
+    if (!report.far.rows.empty())
+        json["farViews"] = farJson(report.far);
     json["warnings"] = nlohmann::ordered_json::array();
     for (const Warning& warning : report.warnings)
         json["warnings"].push_back({{"code", warning.code}, {"text", warning.text}});
     return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
-std::string reportCsv(const Report& report)
+namespace {
+std::string farName(const FarView& view)
+{
+    return "far " + number(view.angle) + " x" + number(view.texelsAPixel);
+}
+
+// A line: its names, and values of the columns from `first` on; the others stay empty.
+std::string csvLine(const std::string& names, std::size_t first, const std::vector<std::string>& values)
+{
+    std::string line = names + std::string(first, ',');
+    for (const std::string& value : values)
+        line += ',' + value;
+    return line + std::string(kAllColumns - first - values.size(), ',') + '\n';
+}
+
+std::string csvHead()
 {
     std::string text = "technique,setting,field,view";
-    for (const Column& column : kRayColumns)
-        text += std::string(",") + column.key;
-    for (const PictureColumn& column : kPictureColumns)
-        text += std::string(",") + column.key;
-    for (const EngineColumn& column : kEngineColumns)
-        text += std::string(",") + column.key;
-    for (const MeshColumn& column : kMeshColumns)
-        text += std::string(",") + column.key;
-    text += '\n';
+    const auto add = [&text](const auto& columns) {
+        for (const auto& column : columns)
+            text += std::string(",") + column.key;
+    };
+    add(kRayColumns), add(kPictureColumns), add(kEngineColumns), add(kMeshColumns), add(kFarColumns);
+    return text + '\n';
+}
+
+// What was changed on the mesh and in far views: no technique's settings.
+std::string csvOfChanges(const Report& report)
+{
+    std::string text;
+    for (const MeshRow& row : report.mesh.rows) {
+        std::vector<std::string> values;
+        for (const PictureColumn& column : kPictureColumns)
+            values.push_back(column.of == &PictureRow::ratio && std::isfinite(row.ratio) ? number(row.ratio) : "");
+        values.resize(kMesh - kPictures);
+        for (const MeshColumn& column : kMeshColumns)
+            values.push_back(number(column.of(row)));
+        text += csvLine(',' + quoted(row.label) + ',' + quoted(report.mesh.name) + ",mesh", kPictures, values);
+    }
+    for (const FarRow& row : report.far.rows)
+        for (std::size_t view = 0; view < report.far.views.size(); ++view) {
+            std::vector<std::string> values;
+            for (const FarColumn& column : kFarColumns)
+                values.push_back(number(column.of(row.errors[view])));
+            text += csvLine(',' + quoted(row.label) + ',' + quoted(report.far.field) + ',' + farName(report.far.views[view]), kFar, values);
+        }
+    return text;
+}
+} // namespace
+
+std::string reportCsv(const Report& report)
+{
+    std::string text = csvHead();
     const auto names = [&](std::size_t setting, std::size_t field) {
         const SearchSetting& s = report.plan.settings[setting];
         return std::string(s.technique->key) + ',' + quoted(s.label) + ',' + quoted(fieldKey(report, field)) + ',';
@@ -213,36 +282,26 @@ std::string reportCsv(const Report& report)
     std::ranges::copy(totalsOf(report), std::back_inserter(rows));
     for (const SweepRow& row : rows) {
         const AngleBand band = report.plan.bands[row.band];
-        text += names(row.setting, row.field) + "rays " + number(band.from) + '-' + number(band.to);
+        std::vector<std::string> values;
         for (const Column& column : kRayColumns)
-            text += ',' + number(column.of(row));
-        text += std::string(std::size(kPictureColumns) + std::size(kEngineColumns) + std::size(kMeshColumns), ',') + '\n';
+            values.push_back(number(column.of(row)));
+        text += csvLine(names(row.setting, row.field) + "rays " + number(band.from) + '-' + number(band.to), 0, values);
     }
     for (const PictureRow& row : report.pictures) {
-        text += names(row.setting, row.field) + "picture " + number(report.angles[row.angle]);
-        text += std::string(std::size(kRayColumns), ',');
+        std::vector<std::string> values;
         for (const PictureColumn& column : kPictureColumns)
-            text += ',' + number(row.*column.of);
-        text += std::string(std::size(kEngineColumns) + std::size(kMeshColumns), ',') + '\n';
+            values.push_back(number(row.*column.of));
+        text += csvLine(names(row.setting, row.field) + "picture " + number(report.angles[row.angle]), kPictures, values);
     }
     for (const EngineRow& row : report.engines) {
-        text += std::string(row.technique->key) + ',' + quoted(std::string(row.technique->label)) + ','
-            + quoted(fieldKey(report, row.field)) + ",engine " + number(row.angle)
-            + std::string(std::size(kRayColumns) + std::size(kPictureColumns), ',');
+        std::vector<std::string> values;
         for (const EngineColumn& column : kEngineColumns)
-            text += ',' + number(row.drawing.*column.of);
-        text += std::string(std::size(kMeshColumns), ',') + '\n';
+            values.push_back(number(row.drawing.*column.of));
+        text += csvLine(std::string(row.technique->key) + ',' + quoted(std::string(row.technique->label)) + ','
+                + quoted(fieldKey(report, row.field)) + ",engine " + number(row.angle),
+            kEngines, values);
     }
-    for (const MeshRow& row : report.mesh.rows) {
-        text += ',' + quoted(row.label) + ',' + quoted(report.mesh.name) + ",mesh" + std::string(std::size(kRayColumns), ',');
-        for (const PictureColumn& column : kPictureColumns)
-            text += column.of == &PictureRow::ratio && std::isfinite(row.ratio) ? ',' + number(row.ratio) : ",";
-        text += std::string(std::size(kEngineColumns), ',');
-        for (const MeshColumn& column : kMeshColumns)
-            text += ',' + number(column.of(row));
-        text += '\n';
-    }
-    return text;
+    return text + csvOfChanges(report);
 }
 
 } // namespace relievo

@@ -108,7 +108,8 @@ public:
         std::string html = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
                            "content='width=device-width,initial-scale=1'><title>Speed against error: "
             + escaped(m_report.title) + "</title><style>" + kReportStyle + plotCss() + "</style></head><body>\n";
-        html += head() + rayPlots() + overview() + pictureSection() + enginesHtml(m_report) + meshSection() + heatSection() + details();
+        html += head() + rayPlots() + overview() + pictureSection() + enginesHtml(m_report) + meshSection() + farHtml(m_report)
+            + heatSection() + details();
         return html + "</body></html>\n";
     }
 

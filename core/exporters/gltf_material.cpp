@@ -146,7 +146,8 @@ private:
 
     Expected<void> addLayers(Json& material)
     {
-        const Parameters& p = m_parameters;
+        Parameters p = m_parameters;
+        p.anisotropyRotation = std::remainder(p.anisotropyRotation + p.rotation, 360.f); // a file's starts at the mesh's tangent
         const auto isOn = [&p](const char* extension) {
             return std::ranges::any_of(kGltfLayers, [&](const GltfLayerRow& row) {
                 return row.decides && row.extension == std::string_view(extension) && p.*row.member != row.without;
@@ -154,7 +155,7 @@ private:
         };
         for (const GltfLayerRow& row : kGltfLayers)
             if (isOn(row.extension)) {
-                material["extensions"][row.extension][row.factor] = shortest(p.*row.member);
+                material["extensions"][row.extension][row.factor] = shortest(p.*row.member * row.unit);
                 m_file.use(row.extension);
             }
         if (const glm::vec3 color = p.sheen * p.sheenColor; p.sheen > 0.f)

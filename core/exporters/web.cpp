@@ -135,8 +135,8 @@ void tellLeftOut(const std::vector<Side>& sides, const Mesh& mesh, Warnings& war
         warnings.push_back({"web-silhouettes", "The page draws straight rays: silhouettes stay the mesh's."});
     if (any([](const Parameters& p) { return p.objectShadows; }))
         warnings.push_back({"web-object-shadows", "The page draws self-shadows of the relief, none between objects."});
-    if (any([](const Parameters& p) { return p.vignette > 0.f || p.fStop > 0.f || p.autoExposure; }))
-        warnings.push_back({"web-camera", "The page has no vignette, depth of field or automatic exposure."});
+    if (any([](const Parameters& p) { return p.vignette > 0.f || p.fStop > 0.f || p.autoExposure || p.bloom > 0.f; }))
+        warnings.push_back({"web-camera", "The page has no vignette, depth of field, automatic exposure or glow."});
     if (any([](const Parameters& p) { return !isOneDirectional(p); }))
         warnings.push_back({"web-lights", std::string(kLightsLeftOut)});
     if (std::ranges::any_of(sides, [](const Side& side) { return readsHorizons(side.technique, side.parameters); }))

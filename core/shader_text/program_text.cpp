@@ -182,15 +182,21 @@ void shadowFiles(Assembly& part, const TechniqueRow& technique, const ProgramFea
 // writeView(): the view's value or colour, as the target wants it.
 void writeViewFiles(Assembly& part, const ViewRow& view, const ProgramFeatures& features)
 {
+    if (features.glows)
+        part.file("glow/light.glsl");
     if (view.isHeat)
         part.file("output/heat.glsl")
             .generated(features.linear
                     ? "vec3 writeView(Surface s) { return vec3(viewValue(s)); }"
                     : "vec3 writeView(Surface s) { float v = viewValue(s); return v < 0.0f ? kNoHeat : heat(v * heatScale); }");
     else if (view.isColor && !features.linear)
-        displayFiles(part, features).generated("vec3 writeView(Surface s) { return toDisplay(throughLens(viewColor(s), -s.toEye)); }");
+        displayFiles(part, features)
+            .generated(features.glows
+                    ? "vec3 writeView(Surface s) { vec3 c = throughLens(viewColor(s), -s.toEye); keepLight(c); return toDisplay(c); }"
+                    : "vec3 writeView(Surface s) { return toDisplay(throughLens(viewColor(s), -s.toEye)); }");
     else
-        part.generated("vec3 writeView(Surface s) { return viewColor(s); }");
+        part.generated(features.glows ? "vec3 writeView(Surface s) { vec3 c = viewColor(s); keepLight(c); return c; }"
+                                      : "vec3 writeView(Surface s) { return viewColor(s); }");
 }
 
 Expected<ShaderText> meshFragment(const ProgramFeatures& features, const ShaderReader& read)
@@ -321,6 +327,7 @@ ProgramFeatures programFeatures(
         .horizonShadows = shadowed && hasHorizonShadows(technique, parameters),
         .severalLights = shadowed && !isOneDirectional(parameters),
         .linear = linear,
+        .glows = parameters.bloom > 0.f && view.light == ViewLight::All && view.isColor,
         .coarser = technique.isExact && parameters.heightMips,
         .curved = curved,
         .prisms = curved && parameters.silhouettes == Silhouettes::Prisms,
@@ -351,7 +358,7 @@ ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRo
     plain.shadowSearch = ShadowSearch::Searched;
     plain.ambientRelief = AmbientRelief::Off;
     plain.heightMips = false;
-    plain.vignette = 0.f;
+    plain.vignette = plain.bloom = 0.f;
     plain.frames = Frames::Derivatives;
     ProgramFeatures features = programFeatures(plain, technique, knownView("shaded"), maps, false);
     features.exported = true;
@@ -434,6 +441,10 @@ Expected<ProgramText> backgroundProgram(Backdrop behind, const ProgramFeatures& 
         fragment.file("shading/environment.glsl");
     if (!features.linear)
         displayFiles(fragment, features);
+    const bool keeps = features.glows && behind != Backdrop::Gradient;
+    if (keeps)
+        fragment.file("glow/light.glsl");
+    const std::string kept = keeps ? "keepLight(c); " : "";
     if (behind == Backdrop::Gradient) // as the screen shows it, whatever the exposure
         fragment
             .generated(features.linear ? "vec3 shownColor(vec3 color) { return color; }"
@@ -441,8 +452,9 @@ Expected<ProgramText> backgroundProgram(Backdrop behind, const ProgramFeatures& 
             .file("output/gradient.glsl");
     else
         fragment
-            .generated(features.linear ? "vec3 shownColor(vec3 color, vec3 fromEye) { return color; }"
-                                       : "vec3 shownColor(vec3 color, vec3 fromEye) { return toDisplay(throughLens(color, fromEye)); }")
+            .generated(features.linear ? "vec3 shownColor(vec3 c, vec3 fromEye) { " + kept + "return c; }"
+                                       : "vec3 shownColor(vec3 color, vec3 fromEye) { vec3 c = throughLens(color, fromEye); " + kept
+                        + "return toDisplay(c); }")
             .file("output/background.glsl");
     return program(Assembly(read, features.dialect).file("vertex/background_vertex.glsl").finish(), fragment.finish());
 }
@@ -471,6 +483,19 @@ Expected<ProgramText> composeProgram(const ShaderReader& read)
     Assembly fragment(read);
     fragment.generated("uniform sampler2D firstPicture;\nuniform sampler2D secondPicture;\nuniform vec4 composition[4];");
     return program(Assembly(read).file("vertex/full_screen_vertex.glsl").finish(), fragment.file("output/compose.glsl").finish());
+}
+
+Expected<ProgramText> glowProgram(GlowStep step, const ProgramFeatures& features, const ShaderReader& read)
+{
+    Assembly fragment(read);
+    fragment.generated("uniform sampler2D glowPicture;\nuniform sampler2D lightPicture;\nuniform sampler2D shownPicture;\n"
+                       "uniform vec4 glowPlace;");
+    if (step == GlowStep::Glowing && !features.linear)
+        displayFiles(fragment, features);
+    if (step == GlowStep::Glowing)
+        fragment.file(features.linear ? "glow/added_linear.glsl" : "glow/added_display.glsl");
+    constexpr std::array<std::string_view, 3> kFiles = {"glow/excess_picture.glsl", "glow/resized.glsl", "glow/glowing.glsl"};
+    return program(Assembly(read).file("vertex/full_screen_vertex.glsl").finish(), fragment.file(kFiles[std::size_t(step)]).finish());
 }
 
 namespace {

@@ -32,6 +32,7 @@ struct ProgramFeatures {
     bool horizonShadows = false; // found by the map of horizons
     bool severalLights = false; // or one that is not directional, where light is computed
     bool linear = false; // Target::linear
+    bool glows = false; // the light itself is written too, for the glow (render/glow.h)
     bool coarser = false; // an exact technique reads mip levels
     bool curved = false; // silhouettes
     bool prisms = false; // and by the mesh itself, which the renderer has to provide
@@ -62,7 +63,7 @@ inline constexpr std::string_view kLightsLeftOut
 
 // The same for a shader that others run: with a frame that needs no vertex attributes but position, normal and uv, light from the
 // surroundings by formula, no mip levels of the heights, and nothing that only this renderer can provide (bent rays, shadows between
-// objects, a vignette). In ES heights are read texel by texel: WebGL2 does not filter them.
+// objects, a vignette, a glow). In ES heights are read texel by texel: WebGL2 does not filter them.
 ProgramFeatures exportedFeatures(const Parameters& parameters, const TechniqueRow& technique, EnumSet<MapKind> maps, Dialect dialect);
 // The same in ES for an engine's own loader of pictures, which keeps 8 bits: heights and acceleration map are split into upper and lower
 // bytes (heightMap in red and green; boundHighMap, boundLowMap), occlusion, roughness and metallic lie in ormMap, opacity in the alpha of
@@ -101,6 +102,9 @@ Expected<ProgramText> backgroundProgram(Backdrop behind, const ProgramFeatures& 
 Expected<ProgramText> groundProgram(bool linear, const ShaderReader& read); // the floor under the mesh
 Expected<ProgramText> wireframeProgram(bool posed, const ShaderReader& read);
 Expected<ProgramText> composeProgram(const ShaderReader& read); // two pictures in one place (render/compose.h)
+// The steps of the glow (render/glow.h): what glows, pictures of it at half or twice the size, and the picture with it.
+enum class GlowStep { Excess, Resized, Glowing };
+Expected<ProgramText> glowProgram(GlowStep step, const ProgramFeatures& features, const ShaderReader& read);
 // Runs the technique's search on rays in textures (`trace --device gl`).
 Expected<ProgramText> traceProgram(std::string_view technique, const ShaderReader& read, Dialect dialect = Dialect::Desktop);
 // The same on prisms of a mesh (shaders/view_ray/trace_prisms.glsl); the technique has to search.

@@ -80,6 +80,8 @@ struct Parameters { // the initialisers ARE the defaults
     glm::vec3 sheenColor{1.f};
     float sheenRoughness = 0.4f;
     float transmission = 0.f;
+    float anisotropyStrength = 0.f;
+    float anisotropyRotation = 0.f;
     // Light
     LightKind lightKind = LightKind::Directional;
     float lightYaw = -50.f;
@@ -134,6 +136,9 @@ struct Parameters { // the initialisers ARE the defaults
     float vignette = 0.f;
     float fStop = 0.f;
     float focusDistance = 0.f;
+    float bloom = 0.f;
+    float bloomThreshold = 1.f;
+    float bloomSize = 0.1f;
     // View
     Backdrop background = Backdrop::Plain;
     glm::vec3 backgroundColor{0.5f};
@@ -826,6 +831,23 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .help = "Share of the light that goes through instead of being scattered: the surroundings, bent by Refraction; a way of one "
                 "relief depth "
                 "colors it as the base color."},
+    {.member = &Parameters::anisotropyStrength,
+        .key = "anisotropyStrength",
+        .label = "Anisotropy strength",
+        .group = Group::Layers,
+        .affects = {Affects::ProgramText},
+        .shader = {.place = ShaderPlace::Layer, .files = {"layers/stretch_none.glsl", "layers/stretch.glsl"}},
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Stretches highlights and reflections along one direction of the surface, as brushed metal, hair and records have them."},
+    {.member = &Parameters::anisotropyRotation,
+        .key = "anisotropyRotation",
+        .label = "Anisotropy rotation",
+        .group = Group::Layers,
+        .min = -180.f,
+        .max = 180.f,
+        .unit = "deg",
+        .shown = {.when = Condition(&Parameters::shading, Shading::MetallicRoughness)},
+        .help = "Direction in which highlights are stretched, counter-clockwise from the texture's u; scratches run across it."},
 
     detail::lightKindRow(&Parameters::lightKind, "lightKind", Group::Light),
     detail::lightYawRow(&Parameters::lightYaw, "lightYaw", Group::Light, &Parameters::lightKind, true),
@@ -953,6 +975,26 @@ inline constexpr auto kParameters = std::to_array<ParameterRow>({
         .max = 10000.f,
         .unit = "m",
         .help = "How far from the eye the picture is sharp; 0: where the camera looks."},
+    {.member = &Parameters::bloom,
+        .key = "bloom",
+        .label = "Glow",
+        .group = Group::Camera,
+        .affects = {Affects::ProgramText},
+        .help = "Share of the light above the threshold that is spread around bright places, as a lens and the eye do; none is added."},
+    {.member = &Parameters::bloomThreshold,
+        .key = "bloomThreshold",
+        .label = "Glow threshold",
+        .group = Group::Camera,
+        .max = 100.f,
+        .unit = "x white",
+        .help = "Light up to this stays where it is; 1 is white before the tone curve, with the exposure. 0 spreads all of it, as haze."},
+    {.member = &Parameters::bloomSize,
+        .key = "bloomSize",
+        .label = "Glow size",
+        .group = Group::Camera,
+        .min = 0.005f,
+        .unit = "height",
+        .help = "How far the glow reaches, as a share of the picture's height: it looks alike at any resolution."},
 
     {.member = &Parameters::background,
         .key = "background",

@@ -48,6 +48,7 @@ State fillingView(const State& state, double angle)
     p.wrap = Wrap::Repeat;
     p.heightMips = p.shadows = p.wireframe = false;
     p.background = Backdrop::Plain;
+    p.bloom = 0.f;
     return view;
 }
 

@@ -33,8 +33,9 @@ struct Case {
 };
 
 // Settings of a relief frame with self-shadows, each with what it is compared by.
-constexpr std::array<std::pair<const char*, const char*>, 26> kSwitches = {{{"plain", ""}, {"thesis shading", "shading=thesis"},
-    {"clear coat", "clearcoat=1"}, {"sheen", "sheen=1"}, {"transmission", "transmission=0.5"}, {"soft shadow", "lightSize=2"},
+constexpr std::array<std::pair<const char*, const char*>, 28> kSwitches = {{{"plain", ""}, {"thesis shading", "shading=thesis"},
+    {"clear coat", "clearcoat=1"}, {"sheen", "sheen=1"}, {"transmission", "transmission=0.5"},
+    {"stretched highlights", "anisotropyStrength=0.7"}, {"glow", "bloom=0.3"}, {"soft shadow", "lightSize=2"},
     {"no shadow", "shadows=false"}, {"horizon shadow", "shadowSearch=horizon"}, {"soft horizon shadow", "shadowSearch=horizon lightSize=2"},
     {"ambient occlusion", "ambientRelief=occlusion"}, {"bent normals", "ambientRelief=bent"},
     {"bent, specular occlusion", "ambientRelief=bent specularOcclusion=true"}, {"second light, shadow", "light2Kind=directional"},

@@ -4,6 +4,7 @@
 #include "core/ground/file.h"
 #include "tests/program/run.h"
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -107,6 +108,40 @@ TEST(Measuring, ReportOnAMesh)
     run = runRelievo(command + (folder / "r.html"));
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_NE(relievo::readText(folder / "r.html")->find("<h2>On the mesh</h2>"), std::string::npos);
+}
+
+// Far away a filter is nearer to the supersampled picture than none is, in each form of the report; the line of each has all columns.
+TEST(Measuring, FarViewsTellWhatEachFilterGetsWrong)
+{
+    TestFolder folder("far");
+    const std::string report = "report sample:bricks@128 --far-views --fast --rays 5 --techniques bump --quiet ";
+    ProgramRun run = runRelievo("bake sample:bricks@128 --map normal --quiet -o " + (folder / "n.png"));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const std::string command = report + "--normal " + (folder / "n.png") + " -o ";
+    run = runRelievo(command + (folder / "r.json"));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const json far = json::parse(*relievo::readText(folder / "r.json"))["farViews"];
+    ASSERT_EQ(far["rows"].size(), 8u * 6u);
+    const auto error = [&](const char* label, double texels) {
+        const auto row = std::ranges::find_if(far["rows"],
+            [&](const json& line) { return line["label"] == label && line["degrees"] == 30. && line["texelsAPixel"] == texels; });
+        return row == far["rows"].end() ? -1. : (*row)["lightRmsePercent"].get<double>();
+    };
+    EXPECT_LT(error("anisotropy 16", 16.), 0.6 * error("none", 16.));
+    EXPECT_LT(error("none", 1.), error("none", 16.));
+    for (const json& line : far["rows"])
+        EXPECT_LT(std::abs(line["brightnessStops"].get<double>()), 2.) << line;
+
+    run = runRelievo(command + (folder / "r.csv"));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    std::ifstream csv(folder / "r.csv");
+    std::string line, head;
+    std::getline(csv, head);
+    EXPECT_TRUE(head.ends_with(",brightnessStops,lightRmsePercent"));
+    int lines = 0;
+    for (; std::getline(csv, line); lines += line.find(",far ") != line.npos)
+        EXPECT_EQ(std::ranges::count(line, ','), std::ranges::count(head, ',')) << line;
+    EXPECT_EQ(lines, 8 * 6);
 }
 
 TEST(Measuring, ReportOnTheHardCases)
@@ -285,8 +320,9 @@ TEST(Measuring, WrongInputIsToldInOneSentence)
             {"report " + kSource + out + " --techniques magic", 2}, {"report " + kSource + out + " --techniques reference", 2},
             {"report " + kSource + out + " --angles 10", 2}, {"report " + kSource + out + " --angles 80-60", 2},
             {"report " + kSource + out + " --angles 0-90", 2}, {"report " + kSource + "sample:nothing" + out, 1},
-            {"report " + kSource + out + " --size 64", 2}, {"report " + kSource + out + " --rays 0", 2}, {"report hard:nothing" + out, 1},
-            {"tune " + kSource, 2}, {"tune " + kSource + "--max-error -1", 2}, {"tune " + kSource + "--max-error 1 --metric taste", 2},
+            {"report " + kSource + out + " --size 64", 2}, {"report " + kSource + out + " --far-views --no-pictures", 2},
+            {"report " + kSource + out + " --rays 0", 2}, {"report hard:nothing" + out, 1}, {"tune " + kSource, 2},
+            {"tune " + kSource + "--max-error -1", 2}, {"tune " + kSource + "--max-error 1 --metric taste", 2},
             {"tune " + kSource + "--max-error 1 --max-missed 101", 2}, {"tune " + kSource + "--max-error 1 -o x.png", 2},
             {"tune " + kSource + "--max-error nan", 2}, {"tune " + kSource + "--max-error 1 --max-missed nan", 2},
             {"tune none.png --max-error 1", 1}, {"compare " + kSource, 2}, {"compare " + kSource + "-o x.jpg", 2},

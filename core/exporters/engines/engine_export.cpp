@@ -260,6 +260,9 @@ private:
         tellBits(told);
         if (const std::string left = techniqueLeftOut(m_target, m_job); !left.empty())
             told.push_back({"technique-left-out", left});
+        if (hasLayers() && !says("fragment"))
+            told.push_back({"layers-left-out",
+                "Clear coat, sheen, transmission and anisotropy are left out: give them to the engine's material, if it has them."});
         if (!isOneDirectional(m_parameters) && says("fragment"))
             told.push_back({"lights-left-out", std::string(kLightsLeftOut)});
         if (const TechniqueRow* technique = findTechnique(techniqueOf(m_job));
@@ -270,6 +273,14 @@ private:
         if (!engine.limits.empty())
             told.push_back({"engine-limits", std::string(engine.limits)});
         return told;
+    }
+
+    bool hasLayers() const
+    {
+        return m_parameters.shading == Shading::MetallicRoughness && std::ranges::any_of(kParameters, [this](const ParameterRow& row) {
+            return row.shader.place == ShaderPlace::Layer && !row.shader.files.front().empty()
+                && variantOf(row, get(m_parameters, row)) != 0;
+        });
     }
 
     bool says(const std::string& name) const

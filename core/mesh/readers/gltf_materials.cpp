@@ -14,6 +14,8 @@
 #include "core/state/parameters.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <map>
 #include <optional>
@@ -139,12 +141,24 @@ private:
         m_material.factors = factors;
     }
 
-    static void readLayers(const tinygltf::Material& material, MeshFactors& factors)
+    // How far the texture's u is turned from the UV set's, degrees counter-clockwise as seen.
+    float textureTurn() const
+    {
+        const TextureSpace space = m_space.value_or(TextureSpace());
+        const glm::vec2 u = glm::inverse(glm::mat2(space.uvFromSet[0], space.uvFromSet[1])) * glm::vec2(1.f, 0.f);
+        const float turn = glm::degrees(std::atan2(-u.y, u.x));
+        return std::isfinite(turn) ? turn : 0.f;
+    }
+
+    void readLayers(const tinygltf::Material& material, MeshFactors& factors) const
     {
         for (const GltfLayerRow& row : kGltfLayers)
             if (const auto found = material.extensions.find(row.extension); found != material.extensions.end())
-                factors.layers.emplace_back(
-                    kParameters[indexOf(row.member)].key, float(numberOf(member(found->second, row.factor), double(row.without))));
+                factors.layers.emplace_back(kParameters[indexOf(row.member)].key,
+                    float(numberOf(member(found->second, row.factor), double(row.without))) / row.unit);
+        for (auto& [key, value] : factors.layers)
+            if (key == kParameters[indexOf(&Parameters::anisotropyRotation)].key)
+                value = std::remainder(value - textureTurn(), 360.f);
         if (const auto found = material.extensions.find(kSheenExtension); found != material.extensions.end())
             for (int i = 0; i < 3; ++i)
                 factors.sheen[i] = float(std::clamp(element(member(found->second, kSheenColor), i, 0.0), 0.0, 1.0));

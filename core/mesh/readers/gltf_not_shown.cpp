@@ -32,7 +32,7 @@ constexpr auto kExtensions = std::to_array<ExtensionRow>({
     {"KHR_materials_sheen", ""},
     {"KHR_materials_specular", "specular strength"},
     {"KHR_materials_iridescence", "iridescence", "iridescenceFactor"},
-    {"KHR_materials_anisotropy", "anisotropy", "anisotropyStrength"},
+    {"KHR_materials_anisotropy", ""},
     {"KHR_materials_dispersion", "dispersion", "dispersion"},
     {"KHR_materials_variants", "material variants"},
 });

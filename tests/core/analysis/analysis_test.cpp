@@ -333,6 +333,21 @@ TEST(Report, CsvIsRectangular)
     EXPECT_NE(reportCsv(report).find("as-godot4,As Godot 4,needles,engine 60,"), std::string::npos);
 }
 
+TEST(Report, FarViewsStandInEachForm)
+{
+    Report report = reportOf(planOf({"relief"}, {"needles"}));
+    EXPECT_EQ(farHtml(report), "");
+    EXPECT_EQ(reportJson(report).find("farViews"), std::string::npos);
+    report.far = {.field = "Bricks", .technique = "Bump", .width = 4, .height = 3, .finer = 16, .views = {{30., 4.}}, .rows = {}};
+    report.far.rows = {{"no, filter", {{-0.5, 0.25}}}};
+    EXPECT_NE(farHtml(report).find("<td>no, filter</td><td class='first'>-0.500</td><td>25.0</td>"), std::string::npos);
+    EXPECT_NE(reportHtml(report).find("<h2>Far away</h2>"), std::string::npos);
+    const std::string csv = reportCsv(report);
+    EXPECT_NE(csv.find(",\"no, filter\",Bricks,far 30 x4,"), std::string::npos);
+    EXPECT_TRUE(csv.ends_with(",-0.5,25\n"));
+    EXPECT_NE(reportJson(report).find("\"brightnessStops\": -0.5"), std::string::npos);
+}
+
 TEST(Report, CsvHoldsTheMesh)
 {
     Report report = reportOf(planOf({"relief"}, {"needles"}));
@@ -344,10 +359,10 @@ TEST(Report, CsvHoldsTheMesh)
         return std::string(
             std::size_t(std::count(csv.begin() + std::ptrdiff_t(at), csv.begin() + std::ptrdiff_t(csv.find(to, at)), ',')), ',');
     };
-    ASSERT_TRUE(csv.substr(0, csv.find('\n')).ends_with(",coveragePercent,depthRmsePixels,invalidPixels"));
+    ASSERT_TRUE(csv.substr(0, csv.find('\n')).ends_with(",coveragePercent,depthRmsePixels,invalidPixels,brightnessStops,lightRmsePercent"));
     const std::string before = ",mesh" + commas("view", "msRatio"), after = commas("msRatio", "coveragePercent");
-    EXPECT_NE(csv.find(",\"no, silhouettes\",Box" + before + '1' + after + "25,1.5,3\n"), csv.npos) << csv;
-    EXPECT_NE(csv.find(",prisms,Box" + before + after + "12.5,0.5,0\n"), csv.npos) << csv;
+    EXPECT_NE(csv.find(",\"no, silhouettes\",Box" + before + '1' + after + "25,1.5,3,,\n"), csv.npos) << csv;
+    EXPECT_NE(csv.find(",prisms,Box" + before + after + "12.5,0.5,0,,\n"), csv.npos) << csv;
 }
 
 TEST(Report, HtmlIsWholeAndSelfContained)

@@ -271,6 +271,22 @@ TEST_F(Engines, HlslAndMetalKeepTheTechniqueTogether)
     }
 }
 
+TEST_F(Engines, LayersThatTheEnginesMaterialLacksAreTold)
+{
+    make(0.f, 1.f, true);
+    const auto told = [this](const char* key) {
+        const Expected<Exported> exported = run(key, key);
+        EXPECT_TRUE(exported) << message(exported.error());
+        return exported && std::ranges::count(exported->warnings, "layers-left-out", &Warning::code) > 0;
+    };
+    EXPECT_FALSE(told("godot4"));
+    m_state.parameters.anisotropyStrength = 0.5f;
+    EXPECT_TRUE(told("godot4"));
+    EXPECT_FALSE(told("glsl")); // its shader has them
+    m_state.parameters.shading = Shading::BlinnPhong;
+    EXPECT_FALSE(told("godot4"));
+}
+
 // 16 is what WebGL2 and Direct3D's and OpenGL's smallest machines read in one program.
 TEST_F(Engines, NoProgramReadsMoreThanSixteenTextures)
 {

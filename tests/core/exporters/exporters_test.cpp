@@ -15,6 +15,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 #include <unistd.h>
 
@@ -296,18 +297,35 @@ TEST_F(Export, BrightEmissionGoesIntoTheStrength)
 TEST_F(Export, LayersComeBackFromGltf)
 {
     ASSERT_TRUE(run("gltf", "plain.glb"));
-    for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_transmission", "KHR_materials_ior"})
+    for (const char* name :
+        {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_transmission", "KHR_materials_ior", "KHR_materials_anisotropy"})
         EXPECT_FALSE(glb("plain.glb")["materials"][0]["extensions"].contains(name)) << name;
     Parameters& p = m_state.parameters;
     p.clearcoat = 0.75f, p.clearcoatRoughness = 0.25f, p.sheen = 0.5f, p.sheenColor = {1.f, 0.5f, 0.25f}, p.sheenRoughness = 0.625f;
-    p.transmission = 0.375f, p.ior = 1.25f;
+    p.transmission = 0.375f, p.ior = 1.25f, p.anisotropyStrength = 0.5f, p.anisotropyRotation = 30.f;
     ASSERT_TRUE(run("gltf", "a.glb"));
     const Expected<Opened> again = openSource((m_folder / "a.glb").string(), State());
     ASSERT_TRUE(again) << message(again.error());
-    for (const char* key : {"clearcoat", "clearcoatRoughness", "sheen", "sheenColor", "sheenRoughness", "transmission", "ior"})
+    for (const char* key :
+        {"clearcoat", "clearcoatRoughness", "sheen", "sheenColor", "sheenRoughness", "transmission", "ior", "anisotropyStrength"})
         EXPECT_EQ(get(again->state.parameters, *findParameter(key)), get(p, *findParameter(key))) << key;
     for (const Warning& warning : again->warnings)
         EXPECT_NE(warning.code, "not-shown") << warning.text;
+    EXPECT_NEAR(again->state.parameters.anisotropyRotation, 30.f, 1e-4f);
+}
+
+// A viewer turns highlights from the mesh's tangent on, which the turn of the textures does not move; we turn them with the textures.
+TEST_F(Export, TheTurnOfHighlightsIsTheTexturesInGltf)
+{
+    Parameters& p = m_state.parameters;
+    p.anisotropyStrength = 0.5f, p.anisotropyRotation = 30.f, p.rotation = 40.f, p.tiling = 2.f;
+    ASSERT_TRUE(run("gltf", "a.glb"));
+    const json document = glb("a.glb");
+    EXPECT_NEAR(document["materials"][0]["extensions"]["KHR_materials_anisotropy"]["anisotropyRotation"].get<double>(),
+        70. * std::numbers::pi / 180., 1e-5);
+    const Expected<Opened> again = openSource((m_folder / "a.glb").string(), State());
+    ASSERT_TRUE(again) << message(again.error());
+    EXPECT_NEAR(again->state.parameters.anisotropyRotation, 30.f, 1e-4f);
 }
 
 TEST_F(Export, WhatGltfLeavesOutIsTold)

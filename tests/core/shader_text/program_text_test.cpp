@@ -47,17 +47,35 @@ TEST(ProgramText, LayersThatAreOffCostNothing)
 {
     Parameters parameters;
     const std::string plain = textOf("relief", "shaded", parameters).fragment.text;
-    for (const char* word : {"clearcoat", "sheen", "transmission", "opticsMap", "lookDirection"})
+    for (const char* word : {"clearcoat", "sheen", "transmission", "opticsMap", "lookDirection", "anisotropyStrength", "lightSeen"})
         EXPECT_FALSE(mentionsIdentifier(plain, word)) << word;
-    parameters.clearcoatRoughness = 0.5f, parameters.sheenRoughness = 1.f;
+    parameters.clearcoatRoughness = 0.5f, parameters.sheenRoughness = 1.f, parameters.anisotropyRotation = 40.f;
+    parameters.bloomThreshold = 3.f, parameters.bloomSize = 0.4f;
     EXPECT_EQ(textOf("relief", "shaded", parameters).fragment.text, plain);
     parameters.clearcoat = 0.5f;
     const ProgramText coated = textOf("relief", "shaded", parameters);
     EXPECT_TRUE(coated.fragment.mentions("clearcoat"));
     EXPECT_FALSE(coated.fragment.mentions("sheenColor"));
+    EXPECT_FALSE(coated.fragment.mentions("anisotropyStrength"));
+    parameters.anisotropyStrength = 0.5f;
+    EXPECT_TRUE(textOf("relief", "shaded", parameters).fragment.mentions("anisotropyStrength"));
     parameters.shading = Shading::BlinnPhong; // has no such layers
     EXPECT_FALSE(textOf("relief", "shaded", parameters).fragment.mentions("clearcoat"));
     EXPECT_EQ(textOf("relief", "depth", parameters).fragment.text, textOf("relief", "depth").fragment.text);
+}
+
+TEST(ProgramText, AGlowAlsoKeepsTheLightOfLitColorsAlone)
+{
+    Parameters glowing;
+    glowing.bloom = 0.5f;
+    EXPECT_TRUE(textOf("relief", "shaded", glowing).fragment.mentions("lightSeen"));
+    for (const ViewRow& view : kViews)
+        if (view.key != "shaded") {
+            EXPECT_EQ(textOf("relief", view.key.data(), glowing).fragment.text, textOf("relief", view.key.data()).fragment.text)
+                << view.key;
+        }
+    const ProgramFeatures exported = exportedFeatures(glowing, *findTechnique("relief"), kAll, Dialect::Es);
+    EXPECT_FALSE(meshProgram(exported, embeddedReader())->fragment.mentions("lightSeen"));
 }
 
 // One directional light costs what it did before there were others: lights that are off, and all that they are set to, leave no trace.
