@@ -148,9 +148,8 @@ void runAction(MainWindow& window, Action action, bool on)
     case Action::ResetCamera:
         return moveCamera(window, framed(action == Action::Frame ? cameraOf(window.document().state(), activePane(window)) : Camera{}));
     case Action::TurnLights:
-        return window.turning().turnLights(on);
     case Action::Turntable:
-        return window.turning().turnCamera(on);
+        return action == Action::TurnLights ? window.turning().turnLights(on) : window.turning().turnCamera(on);
     case Action::Smoother:
         return window.viewport().wantSamples(on ? SamplesAtRest::kMost : SamplesAtRest::kUsual);
     case Action::LightTheme:
