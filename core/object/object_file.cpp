@@ -106,6 +106,12 @@ Expected<AxisMap> readAxis(SideDepths& depths, std::size_t axis, Warnings& warni
     for (std::size_t k = 0; k < std::size_t(map.layers); ++k)
         if (image(front[k]) || image(back[k]))
             setLayer(map, int(k), image(front[k]), image(back[k]));
+    for (std::size_t i = 0; i < map.intervals.size(); ++i) { // of packed pictures: as deep as can be from the side that they are of
+        const std::size_t k = i % std::size_t(map.layers);
+        Interval& interval = map.intervals[i];
+        if ((front[k].channel == 3 && interval.front == Interval::kDeepest) || (back[k].channel == 3 && interval.back == 0))
+            interval = {};
+    }
     for (const auto& [side, other, row] : {std::tuple(&front, &back, 2 * axis), std::tuple(&back, &front, 2 * axis + 1)})
         if (!(*side)[0].image && (*other)[0].image)
             warnings.push_back({"side-missing",

@@ -503,7 +503,7 @@ namespace {
 Expected<ProgramText> programForRays(std::string_view technique, const ShaderReader& read, Dialect dialect, bool onPrisms)
 {
     const TechniqueRow* row = findTechnique(technique);
-    if (!row || row->file.empty())
+    if (!row || row->file.empty() || row->isOfObjects)
         return failure(std::string(technique), "this technique does not run on the GPU", "Use --device cpu");
     Assembly fragment(read, dialect);
     fragment.file("search/contract.glsl");

@@ -94,6 +94,8 @@ Expected<Search> searchOf(std::string_view key, const SearchMaps& maps)
     const TechniqueRow* row = findTechnique(key);
     if (!row)
         return failure(ErrorCode::NotFound, std::string(key), "there is no such technique", "relievo describe techniques lists them");
+    if (row->isOfObjects)
+        return failure(std::string(key), "this technique searches relief objects, not height maps", "Take another one");
     if ((!maps.height && row->needsHeights()) || (!maps.acceleration && !row->accelerationMap.empty()))
         return failure(std::string(key), "this technique needs maps that are not there", "Make them by searchMaps");
     if (row->key == "reference")

@@ -1,6 +1,6 @@
 // A shaded relief frame against the bare search with the same steps, and each technique's frame against flat: ratios of one run,
 // interleaved, median of 9, by the clock between glFinish calls. Then what each switch of light, layers and camera costs, and how many
-// pixels shadows by horizons have wrong.
+// pixels shadows by horizons have wrong; and relief objects against their meshes.
 // SPDX-FileCopyrightText: The Relievo authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/source.h"
@@ -93,6 +93,42 @@ void horizonsByHeight(Renderer& renderer, const Framebuffer& framebuffer)
     }
 }
 
+// Relief objects against the meshes that they stand for, with the same light: a renderer each, as uploads are a mesh's.
+void objectsByMesh(const Framebuffer& framebuffer)
+{
+    const Target target{.framebuffer = framebuffer.handle(), .width = 800, .height = 600};
+    std::printf("relief objects of 256 x 256, six sides, two layers: frame x mesh; fetches a pixel seen\n");
+    for (const std::string shape : {"torus", "teapot", "knight", "character"}) {
+        State mesh = openSource("sample:bricks", State())->state, object = mesh;
+        mesh.mesh = shape, object.mesh = "object:" + shape;
+        mesh.panes = {Pane{"flat"}};
+        mesh.parameters.shadows = object.parameters.shadows = false;
+        mesh.camera.fill = object.camera.fill = 0.9f;
+        std::vector<Case> cases = {{"mesh", mesh, "shaded"}};
+        for (const TechniqueRow& technique : kObjectTechniques) {
+            object.panes = {Pane{std::string(technique.key)}};
+            cases.push_back({technique.key.data(), object, "shaded"});
+        }
+        const auto ofMesh = loadResources(mesh, {}, {}), ofObject = loadResources(object, {}, {});
+        if (!ofMesh || !ofObject)
+            return;
+        Renderer meshes, objects;
+        for (int round = 0; round < 11; ++round)
+            for (Case& measured : cases) {
+                const bool isMesh = &measured == cases.data();
+                if (const double ms = frame(isMesh ? meshes : objects, measured, isMesh ? *ofMesh : *ofObject, target); round >= 2)
+                    measured.milliseconds.push_back(ms);
+            }
+        const double plain = cases.front().median();
+        std::printf("%-10s %zu triangles, %.2f ms:", shape.c_str(), ofMesh->mesh->indices.size() / 3, plain);
+        for (std::size_t i = 1; i < cases.size(); ++i) {
+            const auto counted = objects.measure(cases[i].state, 0, *ofObject, 4.f / 3.f);
+            std::printf("  %s %.2f x, %.0f", cases[i].name, cases[i].median() / plain, counted ? counted->meanFetches : 0.);
+        }
+        std::printf("\n");
+    }
+}
+
 } // namespace
 
 int main()
@@ -154,4 +190,5 @@ int main()
     for (Case& measured : switched)
         std::printf("%-30s %7.2f ms  %5.2f x plain\n", measured.name, measured.median(), measured.median() / plain);
     horizonsByHeight(renderer, framebuffer);
+    objectsByMesh(framebuffer);
 }

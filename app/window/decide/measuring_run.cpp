@@ -4,6 +4,7 @@
 #include "app/window/decide/measuring_run.h"
 #include "app/window/decide/live_sweep.h"
 #include "app/window/dialogs/dialogs.h"
+#include "app/window/document/files.h"
 #include "app/window/main_window.h"
 #include "app/window/viewport/viewport.h"
 #include "app/window/widgets/number_field.h"

@@ -31,8 +31,9 @@ Expected<SearchMaps> mapsOf(
 
 Inspected inspect(const State& state, const Resources& resources, const PickedPoint& point, const Progress& progress)
 {
-    if (!resources.material->height)
-        return {{}, {}, tr("There is no height map to look into.")};
+    if (!resources.material->height || resources.mesh->object)
+        return {{}, {},
+            tr(resources.mesh->object ? "A relief object has no height map to look into." : "There is no height map to look into.")};
     State asPicked = state;
     for (std::size_t i = 0; i < state.panes.size(); ++i)
         setCameraOf(asPicked, i, cameraOf(state, point.pane));

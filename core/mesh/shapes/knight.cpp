@@ -28,22 +28,24 @@ struct Tube {
 constexpr Station kBase[] = {{{0.f, -0.13f}, {0.17f, 0.17f}}, {{0.f, -0.2f}, {0.19f, 0.19f}}, {{0.f, -0.235f}, {0.235f, 0.235f}},
     {{0.f, -0.27f}, {0.235f, 0.235f}}, {{0.f, -0.3f}, {0.19f, 0.19f}}, {{0.f, -0.345f}, {0.215f, 0.215f}}, {{0.f, -0.39f}, {0.28f, 0.28f}},
     {{0.f, -0.42f}, {0.3f, 0.3f}}, {{0.f, -0.47f}, {0.3f, 0.3f}}};
-constexpr Station kNeck[] = {{{0.29f, 0.125f}, {0.05f, 0.045f}}, {{0.25f, 0.165f}, {0.065f, 0.055f}}, {{0.18f, 0.235f}, {0.085f, 0.062f}},
-    {{0.1f, 0.305f}, {0.115f, 0.075f}}, {{0.01f, 0.31f}, {0.125f, 0.08f}}, {{-0.06f, 0.22f}, {0.135f, 0.085f}},
-    {{-0.075f, 0.09f}, {0.15f, 0.1f}}, {{-0.035f, -0.05f}, {0.16f, 0.13f}}, {{0.f, -0.2f}, {0.15f, 0.145f}}};
-constexpr Station kMane[] = {{{0.02f, 0.4f}, {0.03f, 0.02f}}, {{-0.07f, 0.395f}, {0.045f, 0.028f}}, {{-0.155f, 0.31f}, {0.05f, 0.03f}},
-    {{-0.205f, 0.18f}, {0.05f, 0.03f}}, {{-0.215f, 0.05f}, {0.045f, 0.028f}}, {{-0.185f, -0.08f}, {0.03f, 0.02f}}};
+constexpr Station kNeck[] = {{{0.29f, 0.125f}, {0.05f, 0.045f}}, {{0.255f, 0.17f}, {0.06f, 0.055f}}, {{0.195f, 0.245f}, {0.075f, 0.062f}},
+    {{0.13f, 0.31f}, {0.075f, 0.075f}}, {{0.035f, 0.345f}, {0.08f, 0.08f}}, {{-0.06f, 0.28f}, {0.09f, 0.085f}},
+    {{-0.085f, 0.16f}, {0.11f, 0.095f}}, {{-0.07f, 0.04f}, {0.155f, 0.11f}}, {{-0.03f, -0.09f}, {0.165f, 0.13f}},
+    {{0.f, -0.21f}, {0.15f, 0.145f}}};
+constexpr Station kMane[] = {{{0.02f, 0.385f}, {0.025f, 0.02f}}, {{-0.07f, 0.385f}, {0.04f, 0.028f}}, {{-0.16f, 0.3f}, {0.05f, 0.03f}},
+    {{-0.2f, 0.18f}, {0.05f, 0.03f}}, {{-0.21f, 0.05f}, {0.045f, 0.028f}}, {{-0.185f, -0.08f}, {0.03f, 0.02f}}};
 constexpr Station kCheek[] = {{{0.115f, 0.235f}, {0.08f, 0.084f}}, {{0.08f, 0.265f}, {0.09f, 0.09f}}};
-constexpr Station kEar[] = {{{0.025f, 0.485f}, {0.012f, 0.008f}}, {{0.035f, 0.45f}, {0.028f, 0.018f}}, {{0.05f, 0.4f}, {0.035f, 0.025f}}};
+constexpr Station kEar[] = {{{0.005f, 0.47f}, {0.01f, 0.008f}}, {{0.015f, 0.42f}, {0.03f, 0.02f}}, {{0.035f, 0.33f}, {0.04f, 0.03f}}};
 
-// Catmull and Rom's spline through the stations.
+// A cubic B-spline by the stations: near them, and without a kink in its bend.
 template <class Member> Member between(std::span<const Station> stations, Member Station::*member, float at)
 {
     const int last = int(stations.size()) - 1, i = std::clamp(int(at), 0, last - 1);
-    const float f = at - float(i);
+    const float f = at - float(i), g = 1.f - f;
     const auto value = [&](int k) { return stations[std::size_t(std::clamp(k, 0, last))].*member; };
-    const Member a = value(i - 1), b = value(i), c = value(i + 1), d = value(i + 2);
-    return b + 0.5f * f * ((c - a) + f * ((2.f * a - 5.f * b + 4.f * c - d) + f * (3.f * (b - c) + d - a)));
+    return (g * g * g * value(i - 1) + (4.f + 3.f * f * f * (f - 2.f)) * value(i) + (4.f + 3.f * g * g * (g - 2.f)) * value(i + 1)
+               + f * f * f * value(i + 2))
+        / 6.f;
 }
 
 // t in [0, 1]; a quarter of the way is spent on the rounded ends.
@@ -60,7 +62,7 @@ glm::vec3 pointOf(const Tube& tube, float s, float t)
     const float turn = 2.f * kPi * (s - std::floor(s)), round = std::sin(angle);
     const float cap = std::cos(angle) * tube.cap * std::min(half.x, half.y) * (t < 0.5f ? -1.f : 1.f);
     const glm::vec2 middle = between(tube.stations, &Station::middle, at) + way * cap;
-    const glm::vec2 across{way.y, -way.x}; // way x z
+    const glm::vec2 across{way.y, -way.x}; // way x z, to the right
     return glm::vec3(middle + across * (width * round * std::cos(turn)), tube.z + tube.spread * inner + half.y * round * std::sin(turn));
 }
 

@@ -48,10 +48,10 @@ TEST_F(ObjectTest, AMeshIsBakedAndShown)
     setMesh("torus");
     ImpostorDialog* dialog = asked();
     ASSERT_NE(dialog, nullptr);
-    auto* folder = dialog->findChild<QLineEdit*>("folder");
-    EXPECT_EQ(folder->text(), ""); // built-in shapes lie nowhere
+    auto* line = dialog->findChild<QLineEdit*>("folder");
+    EXPECT_EQ(line->text(), ""); // built-in shapes lie nowhere
     const QString out = file("torus");
-    folder->setText(out);
+    line->setText(out);
     for (const auto& [key, index] : {std::pair("sides", 1), std::pair("layers", 0), std::pair("size", 0), std::pair("supersample", 0)}) {
         auto* buttons = dialog->findChild<Segmented*>(key);
         QTest::mouseClick(buttons, Qt::LeftButton, {}, buttons->segment(index).center());

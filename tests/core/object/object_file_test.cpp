@@ -196,7 +196,7 @@ TEST(ObjectFile, PackedPicturesHoldBothDepthsAndNormals)
     ASSERT_TRUE(maps->looks[4].normal && maps->looks[5].normal); // the second made of the depths
     EXPECT_GT(maps->looks[4].normal->value(0, 0, 0), 0.95f);
     EXPECT_NEAR(maps->looks[4].normal->value(1, 0, 2), 1.f, 1e-3f);
-    EXPECT_NEAR(maps->looks[5].normal->value(0, 0, 2), 1.f, 1e-3f);
+    EXPECT_NEAR(maps->looks[5].normal->value(0, 0, 2), 1.f, 2e-3f); // of a sheet that ends beside it
     EXPECT_FALSE(maps->looks[4].color);
 
     object["maps"] = {{{"side", "+z"}, {"kind", "depth"}, {"file", "dual.png"}, {"convention", "height"}}};
