@@ -168,14 +168,6 @@ std::string sourceOf(const json& document, const fs::path& folder)
     return name.empty() || std::ranges::count(kShapes, name) > 0 ? name : absolutePath(folder / name).string();
 }
 
-// What the files do not bring: normals, of the depths.
-void completeLooks(ObjectMaps& maps)
-{
-    for (std::size_t side = 0; side < maps.looks.size(); ++side)
-        if (const SideRow& row = kObjectSides[side]; maps.object.axes[row.axis].isGiven() && !maps.looks[side].normal)
-            maps.looks[side].normal = normalsOfDepths(maps.object, row.axis, row.isBack);
-}
-
 // Without those that cannot be read, which are told.
 void readLooks(const json& named, const fs::path& folder, ObjectMaps& maps, const Progress& progress)
 {
@@ -199,6 +191,20 @@ void readLooks(const json& named, const fs::path& folder, ObjectMaps& maps, cons
     }
 }
 } // namespace
+
+void completeLooks(ObjectMaps& maps)
+{
+    for (std::size_t side = 0; side < maps.looks.size(); ++side) {
+        const SideRow& row = kObjectSides[side];
+        SideLook &look = maps.looks[side], &other = maps.looks[2 * row.axis + (row.isBack ? 0 : 1)];
+        if (!maps.object.axes[row.axis].isGiven())
+            continue;
+        if (!look.normal)
+            look.normal = normalsOfDepths(maps.object, row.axis, row.isBack);
+        look.color = look.color ? std::move(look.color) : other.color;
+        look.roughness = look.roughness ? std::move(look.roughness) : other.roughness;
+    }
+}
 
 Expected<ObjectRead> readObject(const fs::path& file)
 {

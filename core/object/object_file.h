@@ -19,8 +19,7 @@ struct ObjectRead {
 // be read, sides of one axis or layers that differ in size, no side at all.
 Expected<ObjectRead> readObject(const std::filesystem::path& file);
 
-// What a side's pictures show (core/object/bake/side_pictures.h); nothing for those that the file does not name. Normals are made of the
-// depths then.
+// What a side's pictures show (core/object/bake/side_pictures.h).
 struct SideLook {
     std::optional<Image> color, normal, roughness;
 };
@@ -32,7 +31,9 @@ struct ObjectMaps {
     std::string source; // the mesh that it stands for: a built-in shape, or an absolute path; "": not told
     Warnings warnings; // those of readObject; "side-picture-missing": one that cannot be read
 };
-// Errors: as readObject; cancelled.
+// What pictures do not bring: normals of the depths, colours and roughness of the axis' other side, whose pictures lie on the same texels.
+void completeLooks(ObjectMaps& maps);
+// Completed so. Errors: as readObject; cancelled.
 Expected<ObjectMaps> readObjectMaps(const std::filesystem::path& file, const Progress& progress = {});
 
 } // namespace relievo

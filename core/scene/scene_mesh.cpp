@@ -38,7 +38,8 @@ Expected<Mesh> boxMesh(const ReliefObject& object, const std::string& name)
 namespace {
 Expected<ObjectMaps> bakedShape(const std::string& name, std::string_view shape, const Progress& progress)
 {
-    const auto surface = MeshSurface::load(*makeShape(shape), progress.part(0.f, 0.1f));
+    const std::optional<Mesh> mesh = makeShape(shape);
+    const auto surface = MeshSurface::load(*mesh, progress.part(0.f, 0.1f));
     if (!surface)
         return tl::unexpected(surface.error());
     ObjectOptions options{.size = 256};
@@ -60,6 +61,9 @@ Expected<ObjectMaps> bakedShape(const std::string& name, std::string_view shape,
         for (auto [side, look] : {std::pair(2 * axis, &pictures->front), std::pair(2 * axis + 1, &pictures->back)})
             maps.looks[side] = {std::move(look->color), std::move(look->normal), std::move(look->roughness)};
     }
+    if (options.sides == ObjectSides::One) // what lies behind is not seen from there
+        maps.looks[5] = {};
+    completeLooks(maps);
     return maps;
 }
 } // namespace
