@@ -225,7 +225,20 @@ void ambient(MainWindow& window)
     workUntil([&] { return window.viewport().isSettled(); });
 }
 
+// A relief object in two forms, and how far it is from its mesh.
+void object(MainWindow& window)
+{
+    State state;
+    state.mesh = "object:knight";
+    state.parameters.ground = true, state.camera.fill = 0.85f;
+    state.panes = {Pane{"object-sides", {{"crossDiscard", false}}}, Pane{"object"}, Pane{"object", {}, "error-mesh"}};
+    window.assets().openState(state, {});
+    workUntil([&] { return window.assets().ready() && window.assets().resources().mesh->object && window.viewport().isSettled(); });
+}
+
 const Scene kScenes[] = {
+    {"object", {1280, 800}, Look::Dark, object},
+    {"impostor", {1280, 800}, Look::Light, [](MainWindow& window) { window.action("impostor")->trigger(); }},
     {"lights", {1280, 800}, Look::Dark, lights},
     {"ambient", {1280, 1200}, Look::Dark, ambient},
     {"ambient-light", {1280, 1200}, Look::Light, ambient},
