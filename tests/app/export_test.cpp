@@ -27,7 +27,6 @@ protected:
     }
     bool says(const char* text) { return window.messageLine().text().contains(text); }
 };
-} // namespace
 
 TEST_F(ExportTest, ItCanBeStopped)
 {
@@ -125,3 +124,5 @@ TEST_F(ExportTest, ItSaysBeforehandWhatTheEngineWillDraw)
     dialog.setTarget("gltf"); // glTF: no engine is behind it
     EXPECT_TRUE(waitFor([&] { return drawing.text().isEmpty(); }));
 }
+
+} // namespace

@@ -29,7 +29,6 @@ protected:
     }
     static void release(QWidget& widget, int key) { QTest::keyRelease(&widget, Qt::Key(key)); }
 };
-} // namespace
 
 TEST_F(KeysTest, TheViewsAndTechniquesHaveTheirKeysAfterTheMenuWasOpenToo)
 {
@@ -135,3 +134,5 @@ TEST_F(KeysTest, TheManualIsReadInTheWindow)
     EXPECT_EQ(window.findChildren<QDialog*>("manual").size(), 1) << "one is enough";
     manual->close();
 }
+
+} // namespace

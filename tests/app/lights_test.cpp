@@ -32,7 +32,6 @@ protected:
         window.document().edit("Kind", [&](State& state) { assign(state, *findParameter(key), int(kind), kAllPanes); });
     }
 };
-} // namespace
 
 TEST(LightPlaces, AHandleIsWhereTheHandBringsItsLight)
 {
@@ -178,5 +177,7 @@ TEST_F(LightsTest, LightsAndCameraTurnByThemselvesWithoutSteps)
     EXPECT_EQ(same, was) << "but the moment nothing has changed";
     EXPECT_TRUE(waitFor([&] { return window.viewport().isFull(); })) << "at rest again";
 }
+
+} // namespace
 
 } // namespace relievo

@@ -71,7 +71,6 @@ protected:
         QTest::keyClicks(field, text);
     }
 };
-} // namespace
 
 TEST_F(SavingTest, ANumberBeingTypedIsSaved)
 {
@@ -302,3 +301,5 @@ TEST_F(SavingTest, ClosingAsksAboutARunningExport)
     window.close();
     EXPECT_FALSE(window.isVisible()) << "nothing runs and nothing is unsaved";
 }
+
+} // namespace

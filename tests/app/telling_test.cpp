@@ -32,7 +32,6 @@ protected:
         return found == boxes.end() ? nullptr : *found;
     }
 };
-} // namespace
 
 TEST_F(TellingTest, AnErrorStandsNearTheDropThatItCameFrom)
 {
@@ -136,3 +135,5 @@ TEST_F(TellingTest, MissingFoldersOfExportsAreMade)
         dialog.close();
     }
 }
+
+} // namespace

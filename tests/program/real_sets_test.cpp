@@ -52,8 +52,6 @@ const std::vector<std::string> kSoonReady
 
 class RealSet : public testing::TestWithParam<std::string> { };
 
-} // namespace
-
 TEST(RealSets, AreThere)
 {
     if (setNames().empty())
@@ -149,3 +147,5 @@ INSTANTIATE_TEST_SUITE_P(Materials, RealSet, testing::ValuesIn(setNames()), [](c
     return name;
 });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(RealSet);
+
+} // namespace

@@ -8,6 +8,7 @@
 #include "core/state/views.h"
 #include "render/legend.h"
 #include "render/windowless.h"
+#include "tests/render/mesh_support.h"
 #include <cmath>
 #include <cstdlib>
 #include <epoxy/gl.h>
@@ -15,6 +16,7 @@
 #include <gtest/gtest.h>
 
 using namespace relievo;
+using relievo::test::resourcesOf;
 namespace fs = std::filesystem;
 
 namespace {
@@ -34,13 +36,6 @@ State sampleState(const char* technique, const char* mesh = "plane")
     opened->state.panes = {Pane{technique, {}}};
     opened->state.mesh = mesh;
     return opened->state;
-}
-
-Resources resourcesOf(const State& state)
-{
-    auto resources = loadResources(state, {}, {});
-    EXPECT_TRUE(resources) << message(resources.error());
-    return *resources;
 }
 
 Image picture(

@@ -50,7 +50,6 @@ protected:
     }
     FileManager manager;
 };
-} // namespace
 
 TEST_F(AgainTest, WithoutALastTimeTheDialogIsShown)
 {
@@ -147,5 +146,7 @@ TEST_F(AgainTest, TheFolderOpens)
     QTest::mouseClick(offer, Qt::LeftButton);
     EXPECT_EQ(manager.opened.size(), 2);
 }
+
+} // namespace
 
 #include "again_test.moc"

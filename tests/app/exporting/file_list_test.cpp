@@ -27,7 +27,6 @@ protected:
         ASSERT_TRUE(waitFor([&] { return !files().busy(); }));
     }
 };
-} // namespace
 
 TEST_F(FileListTest, TheyAreNamedBeforeAndMeasuredAfterwards)
 {
@@ -99,3 +98,5 @@ TEST_F(FileListTest, GuessesFollowTheSizeOfTheTextures)
         EXPECT_GT(sum(0), sum(32)) << target;
     }
 }
+
+} // namespace

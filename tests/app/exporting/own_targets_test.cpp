@@ -49,7 +49,6 @@ protected:
 private:
     QByteArray m_before;
 };
-} // namespace
 
 TEST_F(OwnTargetsTest, OneIsAddedChosenAndExported)
 {
@@ -129,3 +128,5 @@ TEST_F(OwnTargetsTest, WhatIsThereAlreadyIsAskedFor)
     targets().add(file("no_such_file.json"));
     EXPECT_TRUE(result(*window.findChild<ExportDialog*>()).text().contains("no_such_file.json"));
 }
+
+} // namespace

@@ -46,7 +46,6 @@ protected:
     static QString fault(PackingEditor& editor, int row) { return table(editor).cellWidget(row, Fault)->toolTip(); }
     static bool canSave(PackingEditor& editor) { return editor.findChild<QPushButton*>("save")->isEnabled(); }
 };
-} // namespace
 
 TEST_F(PackingTest, AFileTakesThePlaceOfTheTargetsTextures)
 {
@@ -155,3 +154,5 @@ TEST_F(PackingTest, AFolderThatCannotBeWrittenToIsTold)
     EXPECT_TRUE(editor.findChild<QLabel*>("fault")->text().contains("/proc/none"));
     EXPECT_TRUE(editor.isVisible());
 }
+
+} // namespace

@@ -33,7 +33,6 @@ protected:
     }
     Switch& cure(const char* word) { return *window.findChild<Switch*>(QString("cure-") + word); }
 };
-} // namespace
 
 TEST_F(TargetListTest, EachTargetStandsInAGroupWithIconAndSentence)
 {
@@ -200,3 +199,5 @@ TEST(Cures, TheyAreUsedByTheTargetsThatHoldWhatTheyCure)
     const auto packing = parseTarget(R"({"textures": [{"key": "a", "file": "a.png", "channels": ["roughness"]}]})", "a.json", false);
     EXPECT_TRUE(curesUsedBy(*findExport("bevy"), &*packing).empty());
 }
+
+} // namespace

@@ -48,7 +48,6 @@ protected:
         ASSERT_TRUE(waitFor([&] { return !inspector().busy() && !inspector().inspected().panes.empty(); }));
     }
 };
-} // namespace
 
 TEST_F(InspectorTest, AClickShowsTheSearchOfEachPane)
 {
@@ -136,3 +135,5 @@ TEST_F(InspectorTest, StepsAreScrubbedAndCopied)
             action->trigger();
     EXPECT_TRUE(QApplication::clipboard()->text().contains("<svg"));
 }
+
+} // namespace

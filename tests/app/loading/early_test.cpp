@@ -28,7 +28,6 @@ protected:
     bool isDrawn(MapKind kind) { return !drawnSlots()[std::size_t(kind)].empty(); }
     State drawn;
 };
-} // namespace
 
 TEST_F(EarlyTest, HeightsAreDrawnFirstAndTheDocumentStays)
 {
@@ -121,3 +120,5 @@ TEST(MapsToCome, EachKindHasAStandIn)
     EXPECT_LT(whole->map(MapKind::Normal)->value(8, 8, 0), 0.49f) << "leans against the rise";
     EXPECT_EQ(withMapsToCome(material, {}, 0.1f)->map(MapKind::Color), nullptr);
 }
+
+} // namespace

@@ -32,7 +32,6 @@ protected:
     }
     bool says(const char* text) { return window.messageLine().text().contains(text); }
 };
-} // namespace
 
 TEST_F(LoadingTest, ASceneAsksBeforeWorkIsLost)
 {
@@ -363,3 +362,5 @@ TEST(Editor, AStateThatCannotBeReadIsToldAndEndsIt)
     EXPECT_EQ(editor.exitCode(), 1);
     EXPECT_TRUE(editor.readAllStandardError().contains("state.json"));
 }
+
+} // namespace

@@ -54,7 +54,6 @@ protected:
     }
     std::size_t triangles() { return window.assets().resources().mesh->indices.size() / 3; }
 };
-} // namespace
 
 TEST_F(MissingTest, AProjectWithoutItsMeshAndPanoramaOpens)
 {
@@ -199,3 +198,5 @@ TEST_F(MissingTest, ANameWithinAnotherIsNotIt)
     EXPECT_TRUE(says("a.png.old"));
     EXPECT_TRUE(window.assets().upToDate());
 }
+
+} // namespace

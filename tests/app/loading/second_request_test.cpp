@@ -16,7 +16,6 @@ protected:
         window.document().edit("Steps", [maxSteps](State& s) { s.parameters.maxSteps = maxSteps; });
     }
 };
-} // namespace
 
 TEST_F(SecondRequest, AnEditComesToTheDocumentThatIsBeingOpened)
 {
@@ -109,3 +108,5 @@ TEST_F(SecondRequest, WhatIsOpenedAfterAFirstSourceThatFailsStays)
     ASSERT_TRUE(waitFor([&] { return other.assets().ready() && !other.assets().background().busy(); }));
     EXPECT_EQ(other.document().state().name, "Terrain");
 }
+
+} // namespace

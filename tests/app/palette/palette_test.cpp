@@ -35,7 +35,6 @@ protected:
         QTest::keyClick(&query_line, Qt::Key_Return);
     }
 };
-} // namespace
 
 TEST_F(PaletteTest, FindsEveryRowByItsName)
 {
@@ -116,3 +115,5 @@ TEST_F(PaletteTest, IsDrivenByKeysAlone)
     QTest::keyClick(&shown, Qt::Key_Escape);
     EXPECT_FALSE(shown.isVisible());
 }
+
+} // namespace

@@ -30,7 +30,6 @@ protected:
         return texts;
     }
 };
-} // namespace
 
 TEST_F(FirstHourTest, EachStepFollowsFromTheOneBefore)
 {
@@ -94,3 +93,5 @@ TEST_F(FirstHourTest, EachStepFollowsFromTheOneBefore)
     see("8-changed-outside");
     EXPECT_TRUE(told().join('\n').contains("changed outside")) << told().join('\n').toStdString();
 }
+
+} // namespace

@@ -43,7 +43,6 @@ protected:
         return *new QMenu;
     }
 };
-} // namespace
 
 TEST_F(TrialTest, TheWheelOverAListScrollsThePanelAndChangesNothing)
 {
@@ -272,3 +271,5 @@ TEST_F(TrialTest, ListsAndMenusExplainTheirRows)
     }
     EXPECT_EQ(found, 4);
 }
+
+} // namespace

@@ -50,7 +50,6 @@ protected:
         return told.is_object() ? told["hit"].value("t", std::nan("")) : std::nan("");
     }
 };
-} // namespace
 
 TEST_F(WalkTest, FromASetToAnExportedChoice)
 {
@@ -131,3 +130,5 @@ TEST_F(WalkTest, FromASetToAnExportedChoice)
     EXPECT_EQ(state().panes, chosen.panes);
     EXPECT_EQ(state().parameters, chosen.parameters);
 }
+
+} // namespace

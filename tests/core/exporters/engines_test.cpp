@@ -72,7 +72,6 @@ protected:
 };
 
 constexpr const char* kPacked = R"({"textures": [{"key": "height", "file": "{{name}}_h.png", "channels": ["height"], "bits": 16}]})";
-} // namespace
 
 TEST_F(Engines, TextsFitTheFactsOfTheirRows)
 {
@@ -543,3 +542,5 @@ TEST_F(Engines, TheManualsExampleWorksAndItsListOfValuesIsWhole)
     for (const auto& [name, on] : named.switches)
         EXPECT_TRUE(listed(name)) << name;
 }
+
+} // namespace

@@ -68,7 +68,6 @@ protected:
     State m_state;
     std::string m_binary;
 };
-} // namespace
 
 TEST_F(Export, GltfAsTextHoldsTheSameInTwoFiles)
 {
@@ -458,3 +457,5 @@ TEST(ExportImages, PackingPutsEachMapInItsChannel)
     EXPECT_NEAR(packed->value(3, 3, 1) * 255.f, 200.f, 0.5f); // roughness = 1 - gloss
     EXPECT_EQ(packed->value(3, 3, 2), 0.f);
 }
+
+} // namespace

@@ -89,7 +89,6 @@ protected:
     Warnings m_warnings;
     std::string m_page;
 };
-} // namespace
 
 TEST_F(Web, IsOneSmallFileThatNeedsNoOther)
 {
@@ -262,3 +261,5 @@ TEST_F(Web, PartsWithoutReliefStandLast)
     EXPECT_EQ(decoded(whole["mesh"]["positions"]).size(), m_resources.mesh->vertices.size() * 12);
     EXPECT_EQ(decoded(whole["environment"]["texels"]).size() % (6 * 4), 0u);
 }
+
+} // namespace

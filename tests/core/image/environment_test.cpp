@@ -124,7 +124,6 @@ void expectFinite(const Environment& environment)
             ASSERT_TRUE(std::min({c.x, c.y, c.z}) >= 0.f && std::max({c.x, c.y, c.z}) <= 65504.f);
         }
 }
-} // namespace
 
 TEST(Environment, EachBuiltInOneHasAllLevelsAndKeepsItsEnergy)
 {
@@ -319,3 +318,5 @@ TEST_F(PanoramaFiles, OddOnesAreToldAndStayFinite)
     ASSERT_TRUE(weak) << message(weak.error());
     EXPECT_EQ(codesOf(*weak), Codes{"panorama-dim"});
 }
+
+} // namespace

@@ -17,10 +17,10 @@ using namespace relievo::test;
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kSize = 64;
+constexpr int kFieldSize = 64;
 
 // An RGB image of bytes(x, y).
-Image colored(const std::function<std::array<int, 3>(int, int)>& bytes, int size = kSize)
+Image colored(const std::function<std::array<int, 3>(int, int)>& bytes, int size = kFieldSize)
 {
     return makeImage(size, size, 3, PixelType::U8, [&](int x, int y, int c) { return float(bytes(x, y)[std::size_t(c)]) / 255.f; });
 }
@@ -29,7 +29,7 @@ Image colored(const std::function<std::array<int, 3>(int, int)>& bytes, int size
 Image coded(double metresPerHill, double first, double unit)
 {
     return colored([=](int x, int y) {
-        const auto code = int((double(hill(x, y, kSize)) * metresPerHill - first) / unit);
+        const auto code = int((double(hill(x, y, kFieldSize)) * metresPerHill - first) / unit);
         return std::array{code >> 16, code >> 8 & 255, code & 255};
     });
 }
@@ -67,12 +67,12 @@ std::string textOf(const Warnings& warnings, const std::string& code)
 void expectHills(const HeightField& heights, bool stretched, float tolerance)
 {
     float low = 1, high = 0;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
-            low = std::min(low, hill(x, y, kSize)), high = std::max(high, hill(x, y, kSize));
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
-            const float h = hill(x, y, kSize);
+    for (int y = 0; y < kFieldSize; ++y)
+        for (int x = 0; x < kFieldSize; ++x)
+            low = std::min(low, hill(x, y, kFieldSize)), high = std::max(high, hill(x, y, kFieldSize));
+    for (int y = 0; y < kFieldSize; ++y)
+        for (int x = 0; x < kFieldSize; ++x) {
+            const float h = hill(x, y, kFieldSize);
             ASSERT_NEAR(heights.texel(x, y), stretched ? (h - low) / (high - low) : h, tolerance) << x << ' ' << y;
         }
 }
@@ -92,7 +92,7 @@ TEST(PackedHeights, CodesAreRecognisedAndDecoded)
     expectHills(bytes24.heights, false, 1e-5f);
     for (const bool lowFirst : {false, true}) {
         const Read bytes16 = openImage(folder, "d.png", colored([=](int x, int y) {
-            const int code = int(hill(x, y, kSize) * 65535.f);
+            const int code = int(hill(x, y, kFieldSize) * 65535.f);
             return lowFirst ? std::array{code & 255, code >> 8, 0} : std::array{code >> 8, code & 255, 0};
         }));
         EXPECT_TRUE(tells(bytes16.warnings, "packed-heights"));
@@ -135,10 +135,10 @@ TEST(PackedHeights, RoughAndFlatSurfacesAreRecognisedToo)
 // A code is only what no colour can be.
 TEST(PackedHeights, NoColourIsTakenForACode)
 {
-    const auto smooth = [](int x, int y) { return int(hill(x, y, kSize) * 255.f); };
+    const auto smooth = [](int x, int y) { return int(hill(x, y, kFieldSize) * 255.f); };
     const std::vector<Image> images = {
-        noiseImage(kSize, kSize, 3, PixelType::U8), hillNormals(kSize, false), // noise, normals
-        makeImage(kSize, kSize, 3, PixelType::U8, [](int x, int y, int) { return float((x + y) % 5) / 5; }), // grey stripes
+        noiseImage(kFieldSize, kFieldSize, 3, PixelType::U8), hillNormals(kFieldSize, false), // noise, normals
+        makeImage(kFieldSize, kFieldSize, 3, PixelType::U8, [](int x, int y, int) { return float((x + y) % 5) / 5; }), // grey stripes
         colored([&](int x, int y) {
             return std::array{smooth(x, y), 255 - smooth(x, y), 0};
         }), // a ramp of colours
@@ -162,7 +162,7 @@ TEST(PackedHeights, NoColourIsTakenForACode)
 TEST(DifferingChannels, AreToldAndOneCanBeChosen)
 {
     const TemporaryFolder folder;
-    const Image photo = noiseImage(kSize, kSize, 3, PixelType::U8);
+    const Image photo = noiseImage(kFieldSize, kFieldSize, 3, PixelType::U8);
     const Read mean = openImage(folder, "photo.png", photo);
     EXPECT_NE(textOf(mean.warnings, "channels-differ").find("photo.png#r"), std::string::npos);
     for (const auto& [name, channel] : {std::pair("#r", 0), std::pair("#G", 1), std::pair("#b", 2)}) {
@@ -176,8 +176,8 @@ TEST(DifferingChannels, AreToldAndOneCanBeChosen)
         EXPECT_FLOAT_EQ(material->height->texel(3, 5), photo.value(3, 5, channel));
     }
     // Grey but for what JPEG leaves is grey.
-    const Image nearly = makeImage(
-        kSize, kSize, 3, PixelType::U8, [](int x, int y, int c) { return hill(x, y, kSize) + 0.008f * float((x + y + c) % 2); });
+    const Image nearly = makeImage(kFieldSize, kFieldSize, 3, PixelType::U8,
+        [](int x, int y, int c) { return hill(x, y, kFieldSize) + 0.008f * float((x + y + c) % 2); });
     EXPECT_FALSE(tells(openImage(folder, "nearly.png", nearly).warnings, "channels-differ"));
 }
 
@@ -187,8 +187,8 @@ TEST(DifferingChannels, WhereOnlyOneVariesItIsRead)
     for (const PixelType type : {PixelType::U8, PixelType::U16, PixelType::F32})
         for (const int varying : {0, 1, 2}) {
             const float other = varying == 1 ? 1.f : 0.f;
-            const Image image
-                = makeImage(kSize, kSize, 3, type, [=](int x, int y, int c) { return c == varying ? hill(x, y, kSize) : other; });
+            const Image image = makeImage(
+                kFieldSize, kFieldSize, 3, type, [=](int x, int y, int c) { return c == varying ? hill(x, y, kFieldSize) : other; });
             const Read read = openImage(folder, type == PixelType::F32 ? "h.exr" : "h.png", image);
             EXPECT_FALSE(tells(read.warnings, "channels-differ"));
             expectHills(read.heights, false, 0.003f);
@@ -200,9 +200,9 @@ namespace {
 template <class T> std::string hillNumbers(double low, double high, std::optional<double> gap = {})
 {
     std::vector<T> values;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
-            values.push_back(T(low + (high - low) * double(hill(x, y, kSize))));
+    for (int y = 0; y < kFieldSize; ++y)
+        for (int x = 0; x < kFieldSize; ++x)
+            values.push_back(T(low + (high - low) * double(hill(x, y, kFieldSize))));
     if (gap)
         values[0] = T(*gap);
     return bytesOfAll(values);
@@ -224,7 +224,7 @@ TEST(Elevation, TagsGiveRangeGapsAndDepth)
 {
     const TemporaryFolder folder;
     const auto open = [&](int bits, int format, const std::string& pixels, const std::vector<TiffTag>& tags) {
-        writeAll(folder / "dem.tif", tiff(kSize, kSize, bits, format, 1, pixels, tags));
+        writeAll(folder / "dem.tif", tiff(kFieldSize, kFieldSize, bits, format, 1, pixels, tags));
         return openAlone(folder / "dem.tif");
     };
     const std::vector<Read> reads = {
@@ -243,8 +243,8 @@ TEST(Elevation, TagsGiveRangeGapsAndDepth)
         const std::string survey = textOf(read.warnings, "survey");
         EXPECT_NE(survey.find("tile of 640 m"), std::string::npos) << at << survey;
         float low = 1, high = 0;
-        for (int i = 1; i < kSize * kSize; ++i) {
-            const float h = hill(i % kSize, i / kSize, kSize);
+        for (int i = 1; i < kFieldSize * kFieldSize; ++i) {
+            const float h = hill(i % kFieldSize, i / kFieldSize, kFieldSize);
             low = std::min(low, h), high = std::max(high, h);
         }
         EXPECT_NEAR(read.state.parameters.depth, 700.f * (high - low) / 640.f, 0.003f) << at;
@@ -259,27 +259,27 @@ TEST(Elevation, TagsGiveRangeGapsAndDepth)
 TEST(Elevation, WholeNumbersWithoutTagsStayAndNarrowOnesAreTold)
 {
     const TemporaryFolder folder;
-    writeAll(folder / "dem.tif", tiff(kSize, kSize, 16, 1, 1, hillNumbers<std::uint16_t>(391, 1069)));
+    writeAll(folder / "dem.tif", tiff(kFieldSize, kFieldSize, 16, 1, 1, hillNumbers<std::uint16_t>(391, 1069)));
     const Read narrow = openAlone(folder / "dem.tif");
     EXPECT_NE(textOf(narrow.warnings, "narrow-range").find("of 0 .. 65535"), std::string::npos);
-    EXPECT_NEAR(narrow.heights.texel(0, 0), (391 + 678 * hill(0, 0, kSize)) / 65535, 1e-4f);
+    EXPECT_NEAR(narrow.heights.texel(0, 0), (391 + 678 * hill(0, 0, kFieldSize)) / 65535, 1e-4f);
     EXPECT_EQ(narrow.state.parameters.depth, Parameters().depth);
-    EXPECT_FALSE(tells(openImage(folder, "wide.png", hillHeights(kSize, PixelType::U16)).warnings, "narrow-range"));
-    const Image flat = makeImage(kSize, kSize, 1, PixelType::U8, [](int, int, int) { return 0.5f; });
+    EXPECT_FALSE(tells(openImage(folder, "wide.png", hillHeights(kFieldSize, PixelType::U16)).warnings, "narrow-range"));
+    const Image flat = makeImage(kFieldSize, kFieldSize, 1, PixelType::U8, [](int, int, int) { return 0.5f; });
     EXPECT_FALSE(tells(openImage(folder, "flat.png", flat).warnings, "narrow-range"));
 }
 
 TEST(SignedHeights, ZeroBecomesTheMidlevel)
 {
     const TemporaryFolder folder;
-    const Image image
-        = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int, int) { return -1.2f + 2.4f * float(x) / (kSize - 1) - 0.3f; });
+    const Image image = makeImage(
+        kFieldSize, kFieldSize, 1, PixelType::F32, [](int x, int, int) { return -1.2f + 2.4f * float(x) / (kFieldSize - 1) - 0.3f; });
     const Read read = openImage(folder, "h.exr", image); // -1.5 to 0.9
     EXPECT_NEAR(read.state.parameters.midlevel, 0.625f, 1e-4f);
     EXPECT_TRUE(tells(read.warnings, "midlevel-set"));
     const Read deep = openImage(folder, "other_depth.exr", image);
     EXPECT_NEAR(deep.state.parameters.midlevel, 0.375f, 1e-4f);
-    const Image positive = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int, int) { return float(x); });
+    const Image positive = makeImage(kFieldSize, kFieldSize, 1, PixelType::F32, [](int x, int, int) { return float(x); });
     const Read plain = openImage(folder, "third.exr", positive);
     EXPECT_EQ(plain.state.parameters.midlevel, 1.f);
     EXPECT_FALSE(tells(plain.warnings, "midlevel-set"));

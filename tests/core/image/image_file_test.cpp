@@ -20,7 +20,7 @@ struct RoundTrip {
     bool exact;
 };
 
-std::string nameOf(const testing::TestParamInfo<RoundTrip>& info)
+std::string tripName(const testing::TestParamInfo<RoundTrip>& info)
 {
     static constexpr const char* kTypes[] = {"U8", "U16", "F32"};
     return std::string(info.param.suffix) + kTypes[int(info.param.type)] + std::to_string(info.param.channels);
@@ -39,7 +39,6 @@ std::vector<RoundTrip> losslessTrips()
     }
     return trips;
 }
-} // namespace
 
 class ImageRoundTrip : public testing::TestWithParam<RoundTrip> { };
 
@@ -68,7 +67,7 @@ TEST_P(ImageRoundTrip, KeepsSizeTypeAndValues)
     EXPECT_EQ(info->width, 37);
     EXPECT_EQ(info->channels, trip.channelsBack);
 }
-INSTANTIATE_TEST_SUITE_P(Lossless, ImageRoundTrip, testing::ValuesIn(losslessTrips()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Lossless, ImageRoundTrip, testing::ValuesIn(losslessTrips()), tripName);
 INSTANTIATE_TEST_SUITE_P(Others, ImageRoundTrip,
     testing::Values(RoundTrip{"tga", PixelType::U8, PixelType::U8, 1, 1, true}, RoundTrip{"tga", PixelType::U8, PixelType::U8, 3, 3, true},
         RoundTrip{"tga", PixelType::U8, PixelType::U8, 4, 4, true}, RoundTrip{"tga", PixelType::U16, PixelType::U8, 3, 3, false},
@@ -77,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Others, ImageRoundTrip,
         RoundTrip{"jpg", PixelType::F32, PixelType::U8, 4, 3, false}, RoundTrip{"png", PixelType::F32, PixelType::U16, 3, 3, false},
         RoundTrip{"hdr", PixelType::F32, PixelType::F32, 3, 3, false}, RoundTrip{"hdr", PixelType::U16, PixelType::F32, 1, 3, false},
         RoundTrip{"exr", PixelType::U16, PixelType::F32, 1, 1, false}),
-    nameOf);
+    tripName);
 
 TEST(ImageFile, RoundsFloatsToSixteenBits)
 {
@@ -369,3 +368,5 @@ TEST(ImageFile, AnOrientationTagIsTold)
     ASSERT_TRUE(turned) << message(turned.error());
     EXPECT_TRUE(tells(turned->warnings, "orientation"));
 }
+
+} // namespace

@@ -13,7 +13,7 @@ using namespace relievo::test;
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kSize = 32;
+constexpr int kTexels = 32;
 
 MapSlot& slot(MapSlots& slots, MapKind kind)
 {
@@ -35,24 +35,24 @@ Expected<Material> loadOne(const TemporaryFolder& folder, const std::string& nam
 TEST(Material, HeightsKeepSixteenBits)
 {
     const TemporaryFolder folder;
-    const Image image = noiseImage(kSize, kSize, 1, PixelType::U16);
+    const Image image = noiseImage(kTexels, kTexels, 1, PixelType::U16);
     const auto material = loadOne(folder, "h.png", image, MapKind::Height);
     ASSERT_TRUE(material) << message(material.error());
     ASSERT_TRUE(material->height);
     EXPECT_EQ(material->height->storedBits(), 16);
-    for (int i = 0; i < kSize * kSize; ++i)
-        ASSERT_EQ(material->height->texels()[std::size_t(i)], image.value(i % kSize, i / kSize, 0));
+    for (int i = 0; i < kTexels * kTexels; ++i)
+        ASSERT_EQ(material->height->texels()[std::size_t(i)], image.value(i % kTexels, i / kTexels, 0));
     EXPECT_TRUE(material->warnings.empty());
 }
 
 TEST(Material, AnOpticsMapNeedsThreeChannels)
 {
     const TemporaryFolder folder;
-    const auto one = loadOne(folder, "one.png", noiseImage(kSize, kSize, 1, PixelType::U8), MapKind::Optics);
+    const auto one = loadOne(folder, "one.png", noiseImage(kTexels, kTexels, 1, PixelType::U8), MapKind::Optics);
     const std::string told = one ? (one->warnings.empty() ? "" : one->warnings.front().text) : message(one.error());
     EXPECT_NE(told.find("one.png"), std::string::npos) << told;
     EXPECT_NE(told.find("one channel"), std::string::npos) << told;
-    const auto three = loadOne(folder, "three.png", noiseImage(kSize, kSize, 3, PixelType::U8), MapKind::Optics);
+    const auto three = loadOne(folder, "three.png", noiseImage(kTexels, kTexels, 3, PixelType::U8), MapKind::Optics);
     ASSERT_TRUE(three);
     ASSERT_TRUE(three->map(MapKind::Optics));
     EXPECT_EQ(three->map(MapKind::Optics)->channels, 3);
@@ -61,7 +61,7 @@ TEST(Material, AnOpticsMapNeedsThreeChannels)
 TEST(Material, InvertMakesHeightOfDepth)
 {
     const TemporaryFolder folder;
-    const Image image = noiseImage(kSize, kSize, 1, PixelType::U8);
+    const Image image = noiseImage(kTexels, kTexels, 1, PixelType::U8);
     const auto material = loadOne(folder, "h.png", image, MapKind::Height, {"", Channel::Rgb, true});
     ASSERT_TRUE(material);
     EXPECT_EQ(material->height->storedBits(), 8);
@@ -71,14 +71,14 @@ TEST(Material, InvertMakesHeightOfDepth)
 TEST(Material, GreyIsRedAndColourIsTheMean)
 {
     const TemporaryFolder folder;
-    const Image color = noiseImage(kSize, kSize, 3, PixelType::U8);
+    const Image color = noiseImage(kTexels, kTexels, 3, PixelType::U8);
     const auto mean = loadOne(folder, "c.png", color, MapKind::Height);
     const float sum = color.value(5, 6, 0) + color.value(5, 6, 1) + color.value(5, 6, 2);
     EXPECT_EQ(mean->height->texel(5, 6), std::round(sum / 3 * 65535) / 65535); // as the GPU's 16 bits hold it
     const auto green = loadOne(folder, "c.png", color, MapKind::Height, {"", Channel::G, false});
     EXPECT_EQ(green->height->texel(5, 6), color.value(5, 6, 1));
-    const Image one = noiseImage(kSize, kSize, 1, PixelType::U8);
-    const Image grey = makeImage(kSize, kSize, 3, PixelType::U8, [&](int x, int y, int) { return one.value(x, y, 0); });
+    const Image one = noiseImage(kTexels, kTexels, 1, PixelType::U8);
+    const Image grey = makeImage(kTexels, kTexels, 3, PixelType::U8, [&](int x, int y, int) { return one.value(x, y, 0); });
     const auto red = loadOne(folder, "g.png", grey, MapKind::Height);
     EXPECT_EQ(red->height->texel(5, 6), one.value(5, 6, 0)); // exactly
 }
@@ -87,14 +87,14 @@ TEST(Material, FloatHeightsAreMappedOnlyWhenTheyLeaveTheRange)
 {
     const TemporaryFolder folder;
     const auto wide = loadOne(
-        folder, "w.exr", makeImage(kSize, 1, 1, PixelType::F32, [](int x, int, int) { return float(x) * 10 - 50; }), MapKind::Height);
+        folder, "w.exr", makeImage(kTexels, 1, 1, PixelType::F32, [](int x, int, int) { return float(x) * 10 - 50; }), MapKind::Height);
     ASSERT_TRUE(wide);
     EXPECT_TRUE(tells(wide->warnings, "height-range"));
     EXPECT_EQ(wide->height->texel(0, 0), 0.f);
-    EXPECT_EQ(wide->height->texel(kSize - 1, 0), 1.f);
+    EXPECT_EQ(wide->height->texel(kTexels - 1, 0), 1.f);
     EXPECT_EQ(wide->height->storedBits(), 32);
     const auto inside = loadOne(
-        folder, "i.exr", makeImage(kSize, 1, 1, PixelType::F32, [](int x, int, int) { return 0.25f + float(x) / 100; }), MapKind::Height);
+        folder, "i.exr", makeImage(kTexels, 1, 1, PixelType::F32, [](int x, int, int) { return 0.25f + float(x) / 100; }), MapKind::Height);
     ASSERT_TRUE(inside);
     EXPECT_TRUE(inside->warnings.empty());
     EXPECT_EQ(inside->height->texel(0, 0), 0.25f);
@@ -105,7 +105,7 @@ TEST(Material, FloatHeightsAreMappedOnlyWhenTheyLeaveTheRange)
 TEST(Material, NanAndInfinityAreRepairedAndCounted)
 {
     const TemporaryFolder folder;
-    const Image image = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int y, int) {
+    const Image image = makeImage(kTexels, kTexels, 1, PixelType::F32, [](int x, int y, int) {
         return x == 3 && y == 3 ? std::numeric_limits<float>::quiet_NaN()
             : x == 9 && y == 0  ? std::numeric_limits<float>::infinity()
             : x < 16            ? 0.25f
@@ -124,7 +124,7 @@ TEST(Material, NanAndInfinityAreRepairedAndCounted)
 TEST(Material, GreenFlipConvertsDirectX)
 {
     const TemporaryFolder folder;
-    const Image normals = hillNormals(kSize, true);
+    const Image normals = hillNormals(kTexels, true);
     const auto material = loadOne(folder, "n.png", normals, MapKind::Normal, {"", Channel::Rgb, true});
     ASSERT_TRUE(material);
     const Image* map = material->map(MapKind::Normal);
@@ -138,14 +138,14 @@ TEST(Material, TwoChannelNormalsGetTheirZ)
 {
     const TemporaryFolder folder;
     for (const int channels : {2, 3}) { // a grey with alpha, and a blue that is 0 everywhere
-        const Image xy = makeImage(
-            kSize, kSize, channels, PixelType::U16, [](int x, int y, int c) { return c == 2 ? 0.f : hillNormal(x, y, c, kSize, false); });
+        const Image xy = makeImage(kTexels, kTexels, channels, PixelType::U16,
+            [](int x, int y, int c) { return c == 2 ? 0.f : hillNormal(x, y, c, kTexels, false); });
         const auto material = loadOne(folder, "n.png", xy, MapKind::Normal);
         ASSERT_TRUE(material) << message(material.error());
         const Image* map = material->map(MapKind::Normal);
         ASSERT_EQ(map->channels, 3);
-        for (int i = 0; i < kSize; ++i)
-            EXPECT_NEAR(map->value(i, 7, 2), hillNormal(i, 7, 2, kSize, false), 1e-3);
+        for (int i = 0; i < kTexels; ++i)
+            EXPECT_NEAR(map->value(i, 7, 2), hillNormal(i, 7, 2, kTexels, false), 1e-3);
     }
 }
 
@@ -170,7 +170,7 @@ TEST(Material, DualReliefTextureGivesFrontDepthAndRebuiltNormal)
 TEST(Material, ScalarMapsAreOneChannelAndInvertible)
 {
     const TemporaryFolder folder;
-    const Image packed = noiseImage(kSize, kSize, 3, PixelType::U8);
+    const Image packed = noiseImage(kTexels, kTexels, 3, PixelType::U8);
     const auto material = loadOne(folder, "arm.png", packed, MapKind::Roughness, {"", Channel::G, true});
     ASSERT_TRUE(material);
     ASSERT_EQ(material->map(MapKind::Roughness)->channels, 1);
@@ -182,7 +182,7 @@ TEST(Material, ASlotThatReadsAlphaOfAnOpaquePictureIsLeftOut)
 {
     const TemporaryFolder folder;
     for (const int channels : {1, 3}) {
-        const Image opaque = noiseImage(kSize, kSize, channels, PixelType::U8);
+        const Image opaque = noiseImage(kTexels, kTexels, channels, PixelType::U8);
         ASSERT_TRUE(writeImage(folder / "c.png", opaque));
         for (const MapKind kind : {MapKind::Opacity, MapKind::Height, MapKind::Gloss}) {
             MapSlots slots;
@@ -200,14 +200,14 @@ TEST(Material, ASlotThatReadsAlphaOfAnOpaquePictureIsLeftOut)
         }
         EXPECT_FALSE(loadOne(folder, "c.png", opaque, MapKind::Opacity, {"", Channel::A, false})); // nothing is left
     }
-    const auto grey = loadOne(folder, "g.png", noiseImage(kSize, kSize, 2, PixelType::U8), MapKind::Opacity, {"", Channel::A, false});
+    const auto grey = loadOne(folder, "g.png", noiseImage(kTexels, kTexels, 2, PixelType::U8), MapKind::Opacity, {"", Channel::A, false});
     EXPECT_TRUE(grey && grey->map(MapKind::Opacity));
 }
 
 TEST(Material, ColoursAreThreeChannels)
 {
     const TemporaryFolder folder;
-    const Image rgba = noiseImage(kSize, kSize, 4, PixelType::U8), grey = noiseImage(kSize, kSize, 1, PixelType::U8);
+    const Image rgba = noiseImage(kTexels, kTexels, 4, PixelType::U8), grey = noiseImage(kTexels, kTexels, 1, PixelType::U8);
     const auto four = loadOne(folder, "c.png", rgba, MapKind::Color);
     ASSERT_EQ(four->map(MapKind::Color)->channels, 3);
     EXPECT_EQ(four->map(MapKind::Color)->value(2, 3, 2), rgba.value(2, 3, 2));
@@ -219,7 +219,7 @@ TEST(Material, ColoursAreThreeChannels)
 TEST(Material, MissingAndBrokenMapsAreToldTheRestIsKept)
 {
     const TemporaryFolder folder;
-    ASSERT_TRUE(writeImage(folder / "h.png", hillHeights(kSize, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "h.png", hillHeights(kTexels, PixelType::U8)));
     writeAll(folder / "r.png", "no picture");
     MapSlots slots;
     slot(slots, MapKind::Height).file = (folder / "h.png").string();
@@ -240,8 +240,8 @@ TEST(Material, MissingAndBrokenMapsAreToldTheRestIsKept)
 TEST(Material, WhatDidNotChangeIsTakenOverWithItsWarnings)
 {
     const TemporaryFolder folder;
-    ASSERT_TRUE(writeImage(folder / "h.exr", makeImage(kSize, 1, 1, PixelType::F32, [](int x, int, int) { return float(x); })));
-    ASSERT_TRUE(writeImage(folder / "c.png", noiseImage(kSize, kSize, 3, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "h.exr", makeImage(kTexels, 1, 1, PixelType::F32, [](int x, int, int) { return float(x); })));
+    ASSERT_TRUE(writeImage(folder / "c.png", noiseImage(kTexels, kTexels, 3, PixelType::U8)));
     MapSlots slots;
     slot(slots, MapKind::Height).file = (folder / "h.exr").string();
     slot(slots, MapKind::Color).file = (folder / "c.png").string();
@@ -260,8 +260,8 @@ TEST(Material, WhatDidNotChangeIsTakenOverWithItsWarnings)
 TEST(Material, DecodedImagesAreNotReadAgain)
 {
     const TemporaryFolder folder;
-    ASSERT_TRUE(writeImage(folder / "rock_color.png", noiseImage(kSize, kSize, 3, PixelType::U8)));
-    ASSERT_TRUE(writeImage(folder / "rock_height.png", hillHeights(kSize, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "rock_color.png", noiseImage(kTexels, kTexels, 3, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "rock_height.png", hillHeights(kTexels, PixelType::U8)));
     const auto set = openTextureSet(folder.path());
     ASSERT_TRUE(set);
     fs::remove(folder / "rock_color.png");
@@ -290,7 +290,7 @@ TEST(Material, Samples)
 TEST(Material, CancelledAndOneChannelNormals)
 {
     const TemporaryFolder folder;
-    ASSERT_TRUE(writeImage(folder / "h.png", hillHeights(kSize, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "h.png", hillHeights(kTexels, PixelType::U8)));
     MapSlots slots;
     slot(slots, MapKind::Normal).file = (folder / "h.png").string();
     const auto normal = loadMaterial(slots);
@@ -365,7 +365,7 @@ TEST(Material, FlippedHeightsAreStoredValues)
 TEST(Material, FloatSharesAreClampedNotStretched)
 {
     const TemporaryFolder folder;
-    const Image image = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int y, int) {
+    const Image image = makeImage(kTexels, kTexels, 1, PixelType::F32, [](int x, int y, int) {
         return x + y == 0 ? 1.5f : x == 1 ? -0.2f : 0.9f;
     });
     for (const MapKind kind : {MapKind::Roughness, MapKind::Metallic, MapKind::AmbientOcclusion, MapKind::Opacity}) {
@@ -382,8 +382,8 @@ TEST(Material, HeightsThatOvershootSlightlyAreClamped)
 {
     const TemporaryFolder folder;
     for (const float peak : {1.005f, 1.2f}) {
-        const Image image
-            = makeImage(kSize, kSize, 1, PixelType::F32, [=](int x, int y, int) { return x + y == 0 ? peak : 0.3f + 0.01f * float(x); });
+        const Image image = makeImage(
+            kTexels, kTexels, 1, PixelType::F32, [=](int x, int y, int) { return x + y == 0 ? peak : 0.3f + 0.01f * float(x); });
         const auto material = loadOne(folder, "h.exr", image, MapKind::Height);
         ASSERT_TRUE(material);
         EXPECT_EQ(tells(material->warnings, "value-range"), peak < 1.1f);
@@ -399,24 +399,24 @@ TEST(Material, ElevationWithoutDataIsFilled)
 {
     const TemporaryFolder folder;
     for (const float mark : {-9999.f, -32768.f, -3.4e38f}) {
-        const Image image
-            = makeImage(kSize, kSize, 1, PixelType::F32, [=](int x, int y, int) { return x == 4 && y == 4 ? mark : 100.f + float(x * y); });
+        const Image image = makeImage(
+            kTexels, kTexels, 1, PixelType::F32, [=](int x, int y, int) { return x == 4 && y == 4 ? mark : 100.f + float(x * y); });
         const auto material = loadOne(folder, "h.exr", image, MapKind::Height);
         ASSERT_TRUE(material);
         EXPECT_TRUE(tells(material->warnings, "no-data")) << mark;
-        EXPECT_EQ(material->height->texel(kSize - 1, kSize - 1), 1.f);
-        EXPECT_FLOAT_EQ(material->height->texel(4, 4), 16.f / float((kSize - 1) * (kSize - 1))); // the neighbours' mean
+        EXPECT_EQ(material->height->texel(kTexels - 1, kTexels - 1), 1.f);
+        EXPECT_FLOAT_EQ(material->height->texel(4, 4), 16.f / float((kTexels - 1) * (kTexels - 1))); // the neighbours' mean
     }
     // A depth that is reached step by step is one.
-    const Image deep = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int, int) { return -9999.f + float(x) * 500.f; });
+    const Image deep = makeImage(kTexels, kTexels, 1, PixelType::F32, [](int x, int, int) { return -9999.f + float(x) * 500.f; });
     EXPECT_FALSE(tells(loadOne(folder, "h.exr", deep, MapKind::Height)->warnings, "no-data"));
 }
 
 TEST(Material, WholeNumbersAreMappedFromTheirRange)
 {
-    Image image = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int, int) { return float(x) * 1e-6f; });
+    Image image = makeImage(kTexels, kTexels, 1, PixelType::F32, [](int x, int, int) { return float(x) * 1e-6f; });
     image.storedFloat = false; // as 32 bits of integers arrive
-    EXPECT_EQ(soundScalars(image, Channel::R, false)[kSize - 1], 1.f);
+    EXPECT_EQ(soundScalars(image, Channel::R, false)[kTexels - 1], 1.f);
     EXPECT_TRUE(tells(warningsOf(scalarTrouble(image, Channel::R), "h.exr"), "height-range"));
     image.storedBits = 16; // signed, as TIFF has them
     std::vector<float> values(image.texelCount(), 100.f / 32767);

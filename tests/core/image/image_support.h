@@ -3,12 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "core/image/files/image_file.h"
+#include "core/image/sets/texture_set.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <unistd.h>
@@ -104,6 +106,17 @@ inline void writeAll(const std::filesystem::path& file, const std::string& bytes
 inline bool tells(const Warnings& warnings, const std::string& code)
 {
     return std::ranges::any_of(warnings, [&](const Warning& warning) { return warning.code == code; });
+}
+
+constexpr int kSetSize = 64; // of the pictures of a set
+
+// Writes name -> image and opens the folder.
+inline Expected<TextureSet> openSet(const TemporaryFolder& folder, const std::map<std::string, Image>& files)
+{
+    for (const auto& [name, image] : files)
+        if (const auto written = writeImage(folder / name, image); !written)
+            return tl::unexpected(written.error());
+    return openTextureSet(folder.path());
 }
 
 } // namespace relievo::test

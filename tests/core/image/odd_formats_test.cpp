@@ -13,12 +13,12 @@ using namespace relievo;
 using namespace relievo::test;
 
 namespace {
-constexpr int kSize = 16;
+constexpr int kSide = 16;
 
 template <class T> std::string ramp(double factor, double first = 0)
 {
     std::vector<T> values;
-    for (int i = 0; i < kSize * kSize; ++i)
+    for (int i = 0; i < kSide * kSide; ++i)
         values.push_back(T(first + factor * i));
     return bytesOfAll(values);
 }
@@ -26,8 +26,8 @@ template <class T> std::string ramp(double factor, double first = 0)
 // Whether value(i) is close to wanted(i) for all texels.
 void expectRamp(const Image& image, const std::function<float(int)>& wanted, float tolerance = 1e-6f)
 {
-    for (int i = 0; i < kSize * kSize; ++i)
-        ASSERT_NEAR(image.value(i % kSize, i / kSize, 0), wanted(i), tolerance) << i;
+    for (int i = 0; i < kSide * kSide; ++i)
+        ASSERT_NEAR(image.value(i % kSide, i / kSide, 0), wanted(i), tolerance) << i;
 }
 } // namespace
 
@@ -35,7 +35,7 @@ TEST(OddTiff, WhiteAsTheSmallestNumberIsTurnedInAllDepths)
 {
     const TemporaryFolder folder;
     const auto read = [&](int bits, int format, int photometric, const std::string& pixels) {
-        writeAll(folder / "h.tif", tiff(kSize, kSize, bits, format, photometric, pixels));
+        writeAll(folder / "h.tif", tiff(kSide, kSide, bits, format, photometric, pixels));
         return readImage(folder / "h.tif");
     };
     for (const int white : {0, 1}) {
@@ -52,7 +52,7 @@ TEST(OddTiff, WhiteAsTheSmallestNumberIsTurnedInAllDepths)
         EXPECT_EQ(longs->image.storedMaximum, 4294967295.);
         expectRamp(longs->image, [&](int i) { return turned(float(i) / 255.f); });
         std::string triples;
-        for (int i = 0; i < kSize * kSize; ++i)
+        for (int i = 0; i < kSide * kSide; ++i)
             triples += std::string({char(i * 7 & 255), char(i * 91 & 255), char(i)}); // the highest byte last
         const auto threes = read(24, 1, white, triples);
         ASSERT_TRUE(threes) << message(threes.error());
@@ -67,12 +67,12 @@ TEST(OddTiff, SamplesThatAreNotReadFaithfullyAreRefused)
 {
     const TemporaryFolder folder;
     for (const auto& [bits, format] : {std::pair(24, 3), std::pair(64, 1), std::pair(24, 2), std::pair(32, 6)}) {
-        writeAll(folder / "h.tif", tiff(kSize, kSize, bits, format, 1, std::string(std::size_t(kSize * kSize * bits / 8), '\1')));
+        writeAll(folder / "h.tif", tiff(kSide, kSide, bits, format, 1, std::string(std::size_t(kSide * kSide * bits / 8), '\1')));
         const auto read = readImage(folder / "h.tif");
         ASSERT_FALSE(read) << bits << ' ' << format;
         EXPECT_EQ(message(read.error()).find("damaged"), std::string::npos) << message(read.error());
     }
-    writeAll(folder / "h.tif", tiff(kSize, kSize, 64, 3, 1, ramp<double>(1. / 255)));
+    writeAll(folder / "h.tif", tiff(kSide, kSide, 64, 3, 1, ramp<double>(1. / 255)));
     const auto doubles = readImage(folder / "h.tif");
     ASSERT_TRUE(doubles) << message(doubles.error());
     expectRamp(doubles->image, [](int i) { return float(i) / 255.f; });
@@ -86,39 +86,39 @@ TEST(OddDds, UncompressedFormatsKeepTheirValues)
         return readImage(folder / "h.dds");
     };
     const std::string words = ramp<std::uint16_t>(257), floats = ramp<float>(0.5);
-    for (const std::string& file : {dds(kSize, kSize, 56, words), oldDds(kSize, kSize, 0x20000, 0, 16, {0xffff}, words)}) {
+    for (const std::string& file : {dds(kSide, kSide, 56, words), oldDds(kSide, kSide, 0x20000, 0, 16, {0xffff}, words)}) {
         const auto image = read(file);
         ASSERT_TRUE(image) << message(image.error());
         EXPECT_EQ(image->image.type, PixelType::U16);
         expectRamp(image->image, [](int i) { return float(i * 257) / 65535.f; });
     }
-    for (const std::string& file : {dds(kSize, kSize, 41, floats), oldDds(kSize, kSize, 0x4, 114, 0, {}, floats)}) {
+    for (const std::string& file : {dds(kSide, kSide, 41, floats), oldDds(kSide, kSide, 0x4, 114, 0, {}, floats)}) {
         const auto image = read(file);
         ASSERT_TRUE(image) << message(image.error());
         expectRamp(image->image, [](int i) { return 0.5f * float(i); });
     }
-    std::vector<std::uint16_t> halves(kSize * kSize, 0x3800); // 0.5
-    for (const std::string& file : {dds(kSize, kSize, 54, bytesOfAll(halves)), oldDds(kSize, kSize, 0x4, 111, 0, {}, bytesOfAll(halves))}) {
+    std::vector<std::uint16_t> halves(kSide * kSide, 0x3800); // 0.5
+    for (const std::string& file : {dds(kSide, kSide, 54, bytesOfAll(halves)), oldDds(kSide, kSide, 0x4, 111, 0, {}, bytesOfAll(halves))}) {
         const auto image = read(file);
         ASSERT_TRUE(image) << message(image.error());
         EXPECT_EQ(image->image.storedBits, 16);
         expectRamp(image->image, [](int) { return 0.5f; });
     }
-    const std::string tens = bytesOfAll(std::vector<std::uint32_t>(kSize * kSize, 1023u | 511u << 10 | 0u << 20 | 3u << 30));
-    for (const std::string& file : {dds(kSize, kSize, 24, tens), oldDds(kSize, kSize, 0x40, 0, 32, {0x3ff, 0xffc00, 0x3ff00000}, tens)}) {
+    const std::string tens = bytesOfAll(std::vector<std::uint32_t>(kSide * kSide, 1023u | 511u << 10 | 0u << 20 | 3u << 30));
+    for (const std::string& file : {dds(kSide, kSide, 24, tens), oldDds(kSide, kSide, 0x40, 0, 32, {0x3ff, 0xffc00, 0x3ff00000}, tens)}) {
         const auto image = read(file);
         ASSERT_TRUE(image) << message(image.error());
         EXPECT_EQ(image->image.value(2, 2, 0), 1.f);
         EXPECT_NEAR(image->image.value(2, 2, 1), 511.f / 1023.f, 1e-4f);
         EXPECT_EQ(image->image.value(2, 2, 2), 0.f);
     }
-    const auto shifts = read(oldDds(kSize, kSize, 0x80000, 0, 16, {0xff, 0xff00}, std::string(kSize * kSize * 2, '\x81'))); // -127
+    const auto shifts = read(oldDds(kSide, kSide, 0x80000, 0, 16, {0xff, 0xff00}, std::string(kSide * kSide * 2, '\x81'))); // -127
     ASSERT_TRUE(shifts) << message(shifts.error());
     EXPECT_FLOAT_EQ(shifts->image.value(2, 2, 1), -1.f);
     std::string blueFirst;
-    for (int i = 0; i < kSize * kSize; ++i)
+    for (int i = 0; i < kSide * kSide; ++i)
         blueFirst += std::string("\x10\x20\x30\x40");
-    const auto color = read(dds(kSize, kSize, 91, blueFirst));
+    const auto color = read(dds(kSide, kSide, 91, blueFirst));
     ASSERT_TRUE(color) << message(color.error());
     EXPECT_FLOAT_EQ(color->image.value(3, 3, 0), 0x30 / 255.f);
     EXPECT_FLOAT_EQ(color->image.value(3, 3, 2), 0x10 / 255.f);
@@ -127,7 +127,7 @@ TEST(OddDds, UncompressedFormatsKeepTheirValues)
 TEST(OddDds, CompressedDataIsReadUnderEveryNameOfItsFormat)
 {
     const TemporaryFolder folder;
-    const std::size_t blocks = kSize * kSize / 16;
+    const std::size_t blocks = kSide * kSide / 16;
     const auto repeated = [&](const std::string& block) {
         std::string all;
         for (std::size_t i = 0; i < blocks; ++i)
@@ -135,7 +135,7 @@ TEST(OddDds, CompressedDataIsReadUnderEveryNameOfItsFormat)
         return all;
     };
     const auto first = [&](std::uint32_t dxgi, const std::string& block) {
-        writeAll(folder / "c.dds", dds(kSize, kSize, dxgi, repeated(block)));
+        writeAll(folder / "c.dds", dds(kSide, kSide, dxgi, repeated(block)));
         const auto read = readImage(folder / "c.dds");
         EXPECT_TRUE(read) << dxgi << ' ' << message(read.error());
         return read ? read->image : Image();
@@ -159,7 +159,7 @@ TEST(OddDds, WhatIsNotReadIsNamed)
 {
     const TemporaryFolder folder;
     for (const std::uint32_t dxgi : {0u, 26u, 107u, 4000u, 0xffffu}) {
-        writeAll(folder / "c.dds", dds(kSize, kSize, dxgi, std::string(kSize * kSize * 4, '\0')));
+        writeAll(folder / "c.dds", dds(kSide, kSide, dxgi, std::string(kSide * kSide * 4, '\0')));
         const auto read = readImage(folder / "c.dds");
         ASSERT_FALSE(read) << dxgi;
         EXPECT_NE(message(read.error()).find("kind of DDS"), std::string::npos) << message(read.error());
@@ -170,7 +170,7 @@ TEST(OddDds, WhatIsNotReadIsNamed)
 TEST(LayeredExr, TheLayerThatIsNamedHeightIsTheHeight)
 {
     const TemporaryFolder folder;
-    const Image color = noiseImage(kSize, kSize, 3, PixelType::F32, 1), height = noiseImage(kSize, kSize, 1, PixelType::F32, 2);
+    const Image color = noiseImage(kSide, kSide, 3, PixelType::F32, 1), height = noiseImage(kSide, kSide, 1, PixelType::F32, 2);
     for (const std::string name : {"height", "Displacement", "render.disp", "depth", "Z"}) {
         ASSERT_TRUE(writeLayers(folder / "wall_height.exr", std::vector<ImageLayer>{{"beauty", color}, {"other", color}, {name, height}}));
         const auto set = openTextureSet(folder / "wall_height.exr");
@@ -191,7 +191,7 @@ TEST(LayeredExr, TheLayerThatIsNamedHeightIsTheHeight)
 TEST(LayeredExr, AnyLayerCanBeChosenAndTheOthersAreTold)
 {
     const TemporaryFolder folder;
-    const Image one = noiseImage(kSize, kSize, 3, PixelType::F32, 1), two = noiseImage(kSize, kSize, 3, PixelType::F32, 2);
+    const Image one = noiseImage(kSide, kSide, 3, PixelType::F32, 1), two = noiseImage(kSide, kSide, 3, PixelType::F32, 2);
     ASSERT_TRUE(writeLayers(folder / "x.exr", std::vector<ImageLayer>{{"one", one}, {"two", two}}));
     const auto info = readImageInfo(folder / "x.exr");
     ASSERT_TRUE(info);

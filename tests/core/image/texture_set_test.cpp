@@ -13,8 +13,6 @@ using namespace relievo::test;
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kSize = 64;
-
 const FoundMap* find(const TextureSet& set, MapKind kind)
 {
     const auto found = std::ranges::find(set.maps, kind, &FoundMap::kind);
@@ -32,7 +30,7 @@ Image flipped(const Image& image)
     return makeImage(image.width, image.height, image.channels, image.type, [&](int x, int y, int c) { return 1 - image.value(x, y, c); });
 }
 
-Image flatColor(int width = kSize, int channels = 3)
+Image flatColor(int width = kSetSize, int channels = 3)
 {
     return makeImage(width, width, channels, PixelType::U8, [](int x, int, int c) { return c == 3 ? 1.f : float(x % 7 * (c + 1)) / 40.f; });
 }
@@ -40,27 +38,19 @@ Image flatColor(int width = kSize, int channels = 3)
 // Normal in r g b (or x y and a back depth), depth in alpha.
 Image reliefTexture(bool dual)
 {
-    return makeImage(kSize, kSize, 4, PixelType::U8, [dual](int x, int y, int c) {
-        const float depth = 1 - hill(x, y, kSize);
-        return c == 3 ? depth : c == 2 && dual ? std::min(1.f, depth + 0.1f) : hillNormal(x, y, c, kSize, false);
+    return makeImage(kSetSize, kSetSize, 4, PixelType::U8, [dual](int x, int y, int c) {
+        const float depth = 1 - hill(x, y, kSetSize);
+        return c == 3 ? depth : c == 2 && dual ? std::min(1.f, depth + 0.1f) : hillNormal(x, y, c, kSetSize, false);
     });
 }
 
-// Writes name -> image and opens the folder.
-Expected<TextureSet> openSet(const TemporaryFolder& folder, const std::map<std::string, Image>& files)
-{
-    for (const auto& [name, image] : files)
-        if (const auto written = writeImage(folder / name, image); !written)
-            return tl::unexpected(written.error());
-    return openTextureSet(folder.path());
-}
 } // namespace
 
 TEST(TextureSet, HeightAndOpenGlNormal)
 {
     const TemporaryFolder folder;
     const auto set = openSet(folder,
-        {{"Rock_Height.png", hillHeights(kSize, PixelType::U16)}, {"Rock_Normal.png", hillNormals(kSize, false)},
+        {{"Rock_Height.png", hillHeights(kSetSize, PixelType::U16)}, {"Rock_Normal.png", hillNormals(kSetSize, false)},
             {"Rock_Color.jpg", flatColor()}});
     ASSERT_TRUE(set) << message(set.error());
     EXPECT_EQ(set->name, "Rock");
@@ -77,7 +67,7 @@ TEST(TextureSet, DepthAndDirectXAreMeasuredNotBelieved)
 {
     const TemporaryFolder folder;
     const auto set = openSet(
-        folder, {{"rock_height.png", flipped(hillHeights(kSize, PixelType::U16))}, {"rock_normalgl.png", hillNormals(kSize, true)}});
+        folder, {{"rock_height.png", flipped(hillHeights(kSetSize, PixelType::U16))}, {"rock_normalgl.png", hillNormals(kSetSize, true)}});
     ASSERT_TRUE(set);
     EXPECT_EQ(find(*set, MapKind::Height)->convention, Convention::Depth);
     EXPECT_EQ(find(*set, MapKind::Normal)->convention, Convention::DX);
@@ -92,12 +82,13 @@ TEST(TextureSet, DepthAndDirectXAreMeasuredNotBelieved)
 TEST(TextureSet, TheLetterAIsEmissionWhenItIsDark)
 {
     const auto lights = [](float ground) {
-        return makeImage(kSize, kSize, 1, PixelType::U8, [=](int x, int y, int) { return x % 16 == 0 && y % 16 == 0 ? 1.f : ground; });
+        return makeImage(
+            kSetSize, kSetSize, 1, PixelType::U8, [=](int x, int y, int) { return x % 16 == 0 && y % 16 == 0 ? 1.f : ground; });
     };
     for (const float ground : {0.f, 0.5f}) {
         const TemporaryFolder folder;
-        const auto set
-            = openSet(folder, {{"pipes_d.png", flatColor()}, {"pipes_n.png", hillNormals(kSize, false)}, {"pipes_a.png", lights(ground)}});
+        const auto set = openSet(
+            folder, {{"pipes_d.png", flatColor()}, {"pipes_n.png", hillNormals(kSetSize, false)}, {"pipes_a.png", lights(ground)}});
         ASSERT_TRUE(set) << message(set.error());
         EXPECT_EQ(fileOf(*set, MapKind::Emission), ground == 0.f ? "pipes_a.png" : "");
         EXPECT_EQ(tells(set->warnings, "ignored-file"), ground != 0.f);
@@ -108,8 +99,8 @@ TEST(TextureSet, TheLetterAIsEmissionWhenItIsDark)
 TEST(TextureSet, RoughnessOfAMaterialNamedMetalIsKept)
 {
     const TemporaryFolder folder;
-    const auto set = openSet(
-        folder, {{"HammeredMetal_Color.png", flatColor()}, {"HammeredMetal_Roughness.png", noiseImage(kSize, kSize, 1, PixelType::U8)}});
+    const auto set = openSet(folder,
+        {{"HammeredMetal_Color.png", flatColor()}, {"HammeredMetal_Roughness.png", noiseImage(kSetSize, kSetSize, 1, PixelType::U8)}});
     ASSERT_TRUE(set) << message(set.error());
     EXPECT_EQ(set->name, "HammeredMetal");
     EXPECT_EQ(fileOf(*set, MapKind::Roughness), "HammeredMetal_Roughness.png");
@@ -120,8 +111,8 @@ TEST(TextureSet, RoughnessOfAMaterialNamedMetalIsKept)
 TEST(TextureSet, NormalOfAnotherMaterialIsTold)
 {
     const TemporaryFolder folder;
-    const auto set
-        = openSet(folder, {{"rock_depth.png", noiseImage(kSize, kSize, 1, PixelType::U8)}, {"rock_normal.png", hillNormals(kSize, false)}});
+    const auto set = openSet(
+        folder, {{"rock_depth.png", noiseImage(kSetSize, kSetSize, 1, PixelType::U8)}, {"rock_normal.png", hillNormals(kSetSize, false)}});
     ASSERT_TRUE(set);
     EXPECT_TRUE(tells(set->warnings, "normal-contradicts-height"));
     EXPECT_EQ(find(*set, MapKind::Height)->convention, Convention::Depth); // the name decides
@@ -131,12 +122,12 @@ TEST(TextureSet, NormalWithoutHeightIsMeasuredByItself)
 {
     for (const bool directX : {false, true}) {
         const TemporaryFolder folder;
-        const auto set = openSet(folder, {{"rock_normal.png", hillNormals(kSize, directX)}, {"rock_color.png", flatColor()}});
+        const auto set = openSet(folder, {{"rock_normal.png", hillNormals(kSetSize, directX)}, {"rock_color.png", flatColor()}});
         ASSERT_TRUE(set);
         EXPECT_EQ(find(*set, MapKind::Normal)->convention, directX ? Convention::DX : Convention::GL);
     }
     const TemporaryFolder folder;
-    const Image flat = makeImage(kSize, kSize, 3, PixelType::U8, [](int, int, int c) { return c == 2 ? 1.f : 0.5f; });
+    const Image flat = makeImage(kSetSize, kSetSize, 3, PixelType::U8, [](int, int, int c) { return c == 2 ? 1.f : 0.5f; });
     const auto set = openSet(folder, {{"rock_normal.png", flat}, {"rock_color.png", flatColor()}, {"wall_nor_dx.png", flat}});
     ASSERT_TRUE(set);
     EXPECT_EQ(find(*set, MapKind::Normal)->convention, Convention::Unsure);
@@ -146,8 +137,8 @@ TEST(TextureSet, NormalWithoutHeightIsMeasuredByItself)
 TEST(TextureSet, PackedChannels)
 {
     const TemporaryFolder folder;
-    const auto set
-        = openSet(folder, {{"wall_arm_2k.png", flatColor()}, {"wall_diff_2k.png", flatColor()}, {"wall_ao_2k.png", flatColor(kSize, 1)}});
+    const auto set = openSet(
+        folder, {{"wall_arm_2k.png", flatColor()}, {"wall_diff_2k.png", flatColor()}, {"wall_ao_2k.png", flatColor(kSetSize, 1)}});
     ASSERT_TRUE(set);
     EXPECT_EQ(fileOf(*set, MapKind::AmbientOcclusion), "wall_ao_2k.png"); // a file to itself
     EXPECT_EQ(find(*set, MapKind::Roughness)->channel, Channel::G);
@@ -158,7 +149,7 @@ TEST(TextureSet, PackedChannels)
 TEST(TextureSet, PairsNeedAnAlphaThatVaries)
 {
     const TemporaryFolder folder;
-    const auto set = openSet(folder, {{"g_alb_ht.png", flatColor(kSize, 4)}, {"g_nrm_rgh.png", flatColor(kSize, 3)}});
+    const auto set = openSet(folder, {{"g_alb_ht.png", flatColor(kSetSize, 4)}, {"g_nrm_rgh.png", flatColor(kSetSize, 3)}});
     ASSERT_TRUE(set);
     EXPECT_EQ(fileOf(*set, MapKind::Color), "g_alb_ht.png");
     EXPECT_EQ(find(*set, MapKind::Height), nullptr); // alpha is 1 everywhere
@@ -184,9 +175,9 @@ TEST(TextureSet, BestOfSeveralCandidates)
 {
     const TemporaryFolder folder;
     const auto set = openSet(folder,
-        {{"w_height_1k.png", hillHeights(kSize, PixelType::U16)}, {"w_height_2k.png", hillHeights(2 * kSize, PixelType::U8)},
-            {"w_nor_dx.png", hillNormals(kSize, true)}, {"w_nor_gl.png", hillNormals(kSize, false)}, {"w_col_1k.png", flatColor()},
-            {"w_col_2k.png", flatColor(2 * kSize)}});
+        {{"w_height_1k.png", hillHeights(kSetSize, PixelType::U16)}, {"w_height_2k.png", hillHeights(2 * kSetSize, PixelType::U8)},
+            {"w_nor_dx.png", hillNormals(kSetSize, true)}, {"w_nor_gl.png", hillNormals(kSetSize, false)}, {"w_col_1k.png", flatColor()},
+            {"w_col_2k.png", flatColor(2 * kSetSize)}});
     ASSERT_TRUE(set);
     EXPECT_EQ(fileOf(*set, MapKind::Height), "w_height_1k.png"); // deeper beats larger
     EXPECT_EQ(fileOf(*set, MapKind::Normal), "w_nor_gl.png");
@@ -202,7 +193,7 @@ TEST(TextureSet, SeveralSetsInAFolder)
 {
     const TemporaryFolder folder;
     const auto set = openSet(folder,
-        {{"a_height.png", hillHeights(kSize, PixelType::U8)}, {"b_height.png", hillHeights(kSize, PixelType::U8)},
+        {{"a_height.png", hillHeights(kSetSize, PixelType::U8)}, {"b_height.png", hillHeights(kSetSize, PixelType::U8)},
             {"b_color.png", flatColor()}});
     ASSERT_TRUE(set);
     EXPECT_EQ(set->name, "b");
@@ -217,7 +208,7 @@ TEST(TextureSet, SingleImages)
 {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeImage(folder / "grass.png", flatColor()));
-    ASSERT_TRUE(writeImage(folder / "face-depth.png", hillHeights(kSize, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "face-depth.png", hillHeights(kSetSize, PixelType::U8)));
     ASSERT_TRUE(writeImage(folder / "vitamin_d.png", flatColor()));
     for (const char* name : {"grass.png", "face-depth.png", "vitamin_d.png"}) {
         const auto set = openTextureSet(folder / name);
@@ -232,7 +223,7 @@ TEST(TextureSet, SingleImages)
 TEST(TextureSet, PlainNameIsTheColourUnlessThereIsOne)
 {
     const TemporaryFolder folder;
-    const auto set = openSet(folder, {{"bricks.png", flatColor()}, {"bricks_height.png", hillHeights(kSize, PixelType::U8)}});
+    const auto set = openSet(folder, {{"bricks.png", flatColor()}, {"bricks_height.png", hillHeights(kSetSize, PixelType::U8)}});
     ASSERT_TRUE(set);
     EXPECT_EQ(fileOf(*set, MapKind::Color), "bricks.png");
     const auto second = openSet(folder, {{"bricks_color.png", flatColor()}});
@@ -244,7 +235,7 @@ TEST(TextureSet, ImagesOneFolderDown)
 {
     const TemporaryFolder folder;
     fs::create_directory(folder / "textures");
-    ASSERT_TRUE(writeImage(folder / "textures/rock_height.png", hillHeights(kSize, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "textures/rock_height.png", hillHeights(kSetSize, PixelType::U8)));
     const auto set = openTextureSet(folder.path());
     ASSERT_TRUE(set);
     EXPECT_EQ(nlohmann::json::parse(textureSetJson(*set))["maps"][0]["file"], "textures/rock_height.png");
@@ -257,7 +248,7 @@ TEST(TextureSet, ABrokenMapIsToldAndTheRestKept)
     ASSERT_TRUE(writeImage(folder / "rock_rough.png", noiseImage(256, 256, 1, PixelType::U8)));
     const std::string whole = readAll(folder / "rock_rough.png");
     writeAll(folder / "rock_rough.png", whole.substr(0, whole.size() / 2));
-    const auto set = openSet(folder, {{"rock_height.png", hillHeights(kSize, PixelType::U8)}});
+    const auto set = openSet(folder, {{"rock_height.png", hillHeights(kSetSize, PixelType::U8)}});
     ASSERT_TRUE(set);
     EXPECT_EQ(set->maps.size(), 1u);
     EXPECT_EQ(std::ranges::count(set->warnings, "map-broken", &Warning::code), 2);
@@ -284,7 +275,7 @@ TEST(TextureSet, WordsWhenNothingIsThere)
 TEST(TextureSet, JsonHasWhatScriptsRelyOn)
 {
     const TemporaryFolder folder;
-    const Image floats = makeImage(kSize, kSize, 1, PixelType::F32, [](int x, int y, int) { return 3 * hill(x, y, kSize) - 1; });
+    const Image floats = makeImage(kSetSize, kSetSize, 1, PixelType::F32, [](int x, int y, int) { return 3 * hill(x, y, kSetSize) - 1; });
     const auto set = openSet(folder, {{"r_height.exr", floats}});
     ASSERT_TRUE(set);
     const auto json = nlohmann::json::parse(textureSetJson(*set));
@@ -303,7 +294,7 @@ TEST(TextureSet, JsonHasWhatScriptsRelyOn)
 TEST(TextureSet, FileNamesThatAreNoUtf8)
 {
     const TemporaryFolder folder;
-    ASSERT_TRUE(writeImage(folder / "caf\xe9_height.png", hillHeights(kSize, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "caf\xe9_height.png", hillHeights(kSetSize, PixelType::U8)));
     const auto set = openTextureSet(folder.path());
     ASSERT_TRUE(set) << message(set.error());
     EXPECT_NO_THROW(nlohmann::json::parse(textureSetJson(*set)));
@@ -312,7 +303,7 @@ TEST(TextureSet, FileNamesThatAreNoUtf8)
 TEST(TextureSet, Cancelled)
 {
     const TemporaryFolder folder;
-    ASSERT_TRUE(writeImage(folder / "r_height.png", hillHeights(kSize, PixelType::U8)));
+    ASSERT_TRUE(writeImage(folder / "r_height.png", hillHeights(kSetSize, PixelType::U8)));
     std::stop_source source;
     source.request_stop();
     const auto set = openTextureSet(folder.path(), Progress{{}, source.get_token()});

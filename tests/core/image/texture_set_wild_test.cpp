@@ -11,8 +11,6 @@ using namespace relievo::test;
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int kSize = 64;
-
 // "kind file channel", a line for each map.
 std::string mapsOf(const Expected<TextureSet>& set)
 {
@@ -30,33 +28,27 @@ void writeFiles(const TemporaryFolder& folder, const std::map<std::string, Image
         ASSERT_TRUE(writeImage(folder / name, image));
 }
 
-Expected<TextureSet> openSet(const TemporaryFolder& folder, const std::map<std::string, Image>& files)
-{
-    writeFiles(folder, files);
-    return openTextureSet(folder.path());
-}
-
-Image colors(int size = kSize, PixelType type = PixelType::U8)
+Image colors(int size = kSetSize, PixelType type = PixelType::U8)
 {
     return makeImage(size, size, 3, type, [](int x, int y, int c) { return float((x + 2 * y) % 7 * (c + 1)) / 40.f; });
 }
-Image heights(int size = kSize)
+Image heights(int size = kSetSize)
 {
     return hillHeights(size, PixelType::U8);
 }
 Image normals()
 {
-    return hillNormals(kSize, false);
+    return hillNormals(kSetSize, false);
 }
 // r, g, b vary by themselves; a is `alpha` or, below 0, varies too.
 Image packed(float alpha)
 {
-    return makeImage(kSize, kSize, 4, PixelType::U8,
+    return makeImage(kSetSize, kSetSize, 4, PixelType::U8,
         [alpha](int x, int y, int c) { return c == 3 && alpha >= 0 ? alpha : float((x * (c + 1) + y) % 16) / 16; });
 }
 Image greyColors()
 {
-    return makeImage(kSize, kSize, 3, PixelType::U8, [](int x, int y, int) { return float((x + y) % 5) / 5; });
+    return makeImage(kSetSize, kSetSize, 3, PixelType::U8, [](int x, int y, int) { return float((x + y) % 5) / 5; });
 }
 } // namespace
 
@@ -108,7 +100,7 @@ TEST(WildSet, APreviewNeverReplacesTheColourMap)
     const TemporaryFolder folder;
     const std::string wanted = "height Rock030_Displacement.png r\ncolor Rock030_Color.png rgb\n";
     EXPECT_EQ(mapsOf(openSet(folder,
-                  {{"Rock030.png", colors(2 * kSize, PixelType::U16)}, {"Rock030_Color.png", colors()},
+                  {{"Rock030.png", colors(2 * kSetSize, PixelType::U16)}, {"Rock030_Color.png", colors()},
                       {"Rock030_Displacement.png", heights()}})),
         wanted);
 }
@@ -160,7 +152,7 @@ TEST(WildSet, TheChosenFilesResolutionIsPreferred)
     const TemporaryFolder folder;
     writeFiles(folder,
         {{"wood_diff_1k.png", colors()}, {"wood_disp_1k.png", heights()}, {"wood_nor_1k.png", normals()},
-            {"wood_diff_4k.png", colors(2 * kSize)}, {"wood_disp_4k.png", heights(2 * kSize)}});
+            {"wood_diff_4k.png", colors(2 * kSetSize)}, {"wood_disp_4k.png", heights(2 * kSetSize)}});
     EXPECT_EQ(mapsOf(openTextureSet(folder / "wood_diff_1k.png")),
         "height wood_disp_1k.png r\ncolor wood_diff_1k.png rgb\nnormal wood_nor_1k.png rgb\n");
     EXPECT_EQ(mapsOf(openTextureSet(folder / "wood_diff_4k.png")),
@@ -170,9 +162,9 @@ TEST(WildSet, TheChosenFilesResolutionIsPreferred)
 TEST(WildSet, FilesGivenByHandAreMeasuredToo)
 {
     const TemporaryFolder folder;
-    const Image flat = makeImage(kSize, kSize, 3, PixelType::U8, [](int, int, int c) { return c == 2 ? 1.f : 0.5f; });
+    const Image flat = makeImage(kSetSize, kSetSize, 3, PixelType::U8, [](int, int, int c) { return c == 2 ? 1.f : 0.5f; });
     writeFiles(folder,
-        {{"plain.png", hillNormals(kSize, true)}, {"gl_dx.png", hillNormals(kSize, false)}, {"flat_dx.png", flat},
+        {{"plain.png", hillNormals(kSetSize, true)}, {"gl_dx.png", hillNormals(kSetSize, false)}, {"flat_dx.png", flat},
             {"in_depth.png", heights()}});
     DecodedImages images;
     const auto inverted = [&](MapKind kind, const std::string& file) {
@@ -210,8 +202,8 @@ TEST(WildSet, UdimTilesAreToldAsSuch)
             return std::string(front) + (numberLast ? kind + middle + tile : tile + middle + kind) + ".png";
         };
         for (const char* tile : {"1001", "1002", "1011"}) {
-            ASSERT_TRUE(writeImage(folder / name("height", tile), hillHeights(kSize, PixelType::U8)));
-            ASSERT_TRUE(writeImage(folder / name("color", tile), noiseImage(kSize, kSize, 3, PixelType::U8)));
+            ASSERT_TRUE(writeImage(folder / name("height", tile), hillHeights(kSetSize, PixelType::U8)));
+            ASSERT_TRUE(writeImage(folder / name("color", tile), noiseImage(kSetSize, kSetSize, 3, PixelType::U8)));
         }
         for (const std::filesystem::path& source : {folder.path(), folder / name("height", "1002")}) {
             const auto set = openTextureSet(source);

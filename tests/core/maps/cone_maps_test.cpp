@@ -119,8 +119,6 @@ void expectSafeAndTight(
 
 class ConeMaps : public testing::TestWithParam<Wrap> { };
 
-} // namespace
-
 TEST_P(ConeMaps, ConeHoldsNoTexel)
 {
     for (const HeightField& field : smallFields(GetParam())) {
@@ -231,8 +229,6 @@ TEST(RelaxedCone, CellAgreesWithSampledExitPoints)
     EXPECT_GT(limited, 300);
     EXPECT_GT(near, limited * 9 / 10);
 }
-
-namespace {
 // Listing 18-2 on the CPU: rays from (source, top) through the surface, `targets` to a texel each way, `steps` down to the bottom; the
 // chapter has 1 and 128. A ray ends early where its ratio has outgrown the smallest.
 double listingRatio(const HeightField& field, int x, int y, int targets, int steps)
@@ -271,7 +267,6 @@ std::vector<double> sharesOfListing(const HeightField& field, int targets, int s
     std::ranges::sort(shares);
     return shares;
 }
-} // namespace
 
 // The listing sees only some rays and finds each exit up to a step late, so its cones are wider; the finer it samples the less.
 TEST(RelaxedCone, IsWhatTheListingSamples)
@@ -343,3 +338,5 @@ TEST(ConeMapsAtLarge, CancelledInTheLastStepLeavesNoHalfMap)
         }
     }
 }
+
+} // namespace

@@ -49,8 +49,6 @@ double interpolated(const BakedMap& map, Wrap wrap, glm::dvec3 p)
 
 class Distance : public testing::TestWithParam<Wrap> { };
 
-} // namespace
-
 TEST_P(Distance, InterpolatedExceedsTheTrueDistanceByHalfADiagonal)
 {
     std::mt19937 random(6);
@@ -93,3 +91,5 @@ TEST_P(Distance, IsNearTheTrueDistance)
 
 INSTANTIATE_TEST_SUITE_P(Wraps, Distance, testing::Values(Wrap::Repeat, Wrap::Clamp),
     [](const auto& wrap) { return wrap.param == Wrap::Repeat ? "Repeat" : "Clamp"; });
+
+} // namespace

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr float kHalf = std::numbers::sqrt2_v<float> / 2.f;
 
-fs::path data(const std::string& name)
+fs::path animated(const std::string& name)
 {
     return fs::path(RELIEVO_TEST_DATA) / "meshes/animated" / name;
 }
@@ -329,10 +329,10 @@ TEST(MeshPose, MutatedFilesMoveSoundly)
 TEST(MeshPose, RealFilesMoveSoundly)
 {
     for (const char* name : {"AnimatedMorphCube.glb", "CesiumMan.glb", "RiggedSimple.glb", "SimpleMorph.gltf"}) {
-        if (!fs::exists(data(name)))
-            GTEST_SKIP() << "no test data at " << data(name);
+        if (!fs::exists(animated(name)))
+            GTEST_SKIP() << "no test data at " << animated(name);
         SCOPED_TRACE(name);
-        const Expected<Mesh> mesh = openMesh(data(name).string());
+        const Expected<Mesh> mesh = openMesh(animated(name).string());
         ASSERT_TRUE(mesh) << message(mesh.error());
         ASSERT_TRUE(mesh->deformation);
         ASSERT_EQ(mesh->deformation->clips.size(), 1u);
@@ -357,9 +357,9 @@ TEST(MeshPose, RealFilesMoveSoundly)
 // The walking man stands upright, and no pose of his tears him: edges keep about their length.
 TEST(MeshPose, WalkingManKeepsHisShape)
 {
-    if (!fs::exists(data("CesiumMan.glb")))
-        GTEST_SKIP() << "no test data at " << data("CesiumMan.glb");
-    const Mesh mesh = *openMesh(data("CesiumMan.glb").string());
+    if (!fs::exists(animated("CesiumMan.glb")))
+        GTEST_SKIP() << "no test data at " << animated("CesiumMan.glb");
+    const Mesh mesh = *openMesh(animated("CesiumMan.glb").string());
     const Mesh moved = posed(mesh, poseAt(mesh, 0, 0.7f));
     double before = 0, change = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

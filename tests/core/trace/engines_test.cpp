@@ -184,7 +184,7 @@ SearchRay rayOf(const Pixel& p)
     return {p.uv, -p.aside() / p.v.z * p.depth, p.v.z};
 }
 
-HeightField fieldOf(int size, float (*height)(int, int, int))
+HeightField squareField(int size, float (*height)(int, int, int))
 {
     std::vector<float> heights;
     for (int y = 0; y < size; ++y)
@@ -194,12 +194,13 @@ HeightField fieldOf(int size, float (*height)(int, int, int))
 }
 
 // Waves from 0.05 to 0.95, a ramp along u that falls off at the border, one height.
-const HeightField kFields[] = {fieldOf(64,
+const HeightField kFields[] = {squareField(64,
                                    [](int x, int y, int size) {
                                        const float turn = 2.f * std::numbers::pi_v<float> / float(size);
                                        return 0.5f + 0.45f * std::sin(2.f * turn * float(x)) * std::cos(turn * float(y));
                                    }),
-    fieldOf(32, [](int x, int, int size) { return (float(x) + 0.5f) / float(size); }), fieldOf(4, [](int, int, int) { return 0.3f; })};
+    squareField(32, [](int x, int, int size) { return (float(x) + 0.5f) / float(size); }),
+    squareField(4, [](int, int, int) { return 0.3f; })};
 
 SearchHit hitOf(std::string_view key, const Pixel& p, const Parameters& parameters = {})
 {
@@ -298,7 +299,7 @@ TEST(EngineTechniques, DrawTheDepthThatTheyLeave)
     const HeightField ground(1, 1, {0.f});
     EXPECT_NEAR(hitOf("as-babylon", pixelAt(0., 0., {0.5, 0.5}, 0.05, ground)).t, 15. / 26., 1e-6); // cut off flat
     EXPECT_NEAR(hitOf("as-babylon", pixelAt(70., 0., {0.5, 0.5}, 0.05, ground)).t, 15. / (15. + 11. * cosine), 1e-6);
-    const HeightField fine = fieldOf(512, [](int, int, int) { return 0.f; });
+    const HeightField fine = squareField(512, [](int, int, int) { return 0.f; });
     const double steep = std::cos(85. * std::numbers::pi / 180.), slope = std::tan(85. * std::numbers::pi / 180.);
     EXPECT_GT(slope, 5.); // PlayCanvas caps the ray at 5 over its whole length
     EXPECT_NEAR(hitOf("as-playcanvas", pixelAt(85., 0., {0.5, 0.5}, 0.05, fine)).t, 5. * steep / std::sqrt(1. - steep * steep), 0.02);

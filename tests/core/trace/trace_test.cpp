@@ -15,7 +15,7 @@ using namespace relievo;
 
 namespace {
 
-HeightField fieldOf(int width, int height, const std::function<float(int, int)>& h, Wrap wrap = Wrap::Repeat)
+HeightField gridOf(int width, int height, const std::function<float(int, int)>& h, Wrap wrap = Wrap::Repeat)
 {
     std::vector<float> heights;
     for (int y = 0; y < height; ++y)
@@ -40,7 +40,7 @@ HeightField randomField(std::mt19937& random)
             return 0.5f + 0.5f * std::sin(float(x) * 0.9f) * std::cos(float(y) * 0.7f);
         }
     };
-    return fieldOf(1 + int(random() % 9), 1 + int(random() % 9), height, random() % 2 ? Wrap::Repeat : Wrap::Clamp);
+    return gridOf(1 + int(random() % 9), 1 + int(random() % 9), height, random() % 2 ? Wrap::Repeat : Wrap::Clamp);
 }
 
 SearchRay randomRay(std::mt19937& random, double longest)
@@ -107,7 +107,7 @@ TEST(Reference, MatchesBruteForceOnAThousandSmallFields)
 
 TEST(Reference, RayAlongTexelEdgesAndThroughVertices)
 {
-    const HeightField field = fieldOf(4, 4, [](int x, int y) { return x == 2 && y == 2 ? 1.f : 0.f; });
+    const HeightField field = gridOf(4, 4, [](int x, int y) { return x == 2 && y == 2 ? 1.f : 0.f; });
     // Along the row of texel centres y = 2, and diagonally through vertices: both meet the needle's flank.
     const SearchHit along = exactHit(field, {{0.125, 0.625}, {1., 0.}, 1.});
     EXPECT_NEAR(gap(field, {{0.125, 0.625}, {1., 0.}, 1.}, along.t), 0., 1e-12);
@@ -119,7 +119,7 @@ TEST(Reference, RayAlongTexelEdgesAndThroughVertices)
 
 TEST(Reference, StraightDownReadsTheDepth)
 {
-    const HeightField field = fieldOf(3, 5, [](int x, int y) { return float(x + y) / 8.f; });
+    const HeightField field = gridOf(3, 5, [](int x, int y) { return float(x + y) / 8.f; });
     const SearchHit hit = exactHit(field, {{0.4, 0.3}, {0., 0.}, 1.});
     EXPECT_NEAR(hit.t, 1. - heightAt(field, {0.4, 0.3}), 1e-12);
     EXPECT_EQ(hit.fetches, 1);
@@ -127,13 +127,13 @@ TEST(Reference, StraightDownReadsTheDepth)
 
 TEST(Reference, TopIsHitAtOnceAndFloorAtLast)
 {
-    EXPECT_EQ(exactHit(fieldOf(2, 2, [](int, int) { return 1.f; }), {{0.3, 0.3}, {5., 1.}, 1.}).t, 0.);
-    EXPECT_EQ(exactHit(fieldOf(2, 2, [](int, int) { return 0.f; }), {{0.3, 0.3}, {5., 1.}, 1.}).t, 1.);
+    EXPECT_EQ(exactHit(gridOf(2, 2, [](int, int) { return 1.f; }), {{0.3, 0.3}, {5., 1.}, 1.}).t, 0.);
+    EXPECT_EQ(exactHit(gridOf(2, 2, [](int, int) { return 0.f; }), {{0.3, 0.3}, {5., 1.}, 1.}).t, 1.);
 }
 
 TEST(Reference, UnusualRaysEnd)
 {
-    const HeightField field = fieldOf(8, 8, [](int x, int) { return x == 0 ? 0.5f : 0.f; });
+    const HeightField field = gridOf(8, 8, [](int x, int) { return x == 0 ? 0.5f : 0.f; });
     const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     for (const SearchRay& ray : {SearchRay{{nan, 0.}, {1., 1.}, 1.}, SearchRay{{0., inf}, {1., 1.}, 1.}, SearchRay{{0., 0.}, {nan, 0.}, 1.},
              SearchRay{{0., 0.}, {1., -inf}, 1.}}) {
@@ -143,14 +143,14 @@ TEST(Reference, UnusualRaysEnd)
         EXPECT_EQ(hit.uv, glm::dvec2(0.));
         EXPECT_EQ(hit.fetches, 0);
     }
-    const HeightField ground = fieldOf(8, 8, [](int, int) { return 0.f; });
+    const HeightField ground = gridOf(8, 8, [](int, int) { return 0.f; });
     EXPECT_LE(exactHit(ground, {{0., 0.}, {1e30, 1e-30}, 1.}).fetches, kMaxReferenceCells);
     EXPECT_LE(exactHit(ground, {{1e30, 1e300}, {1e-300, 1e-310}, 1.}).fetches, kMaxReferenceCells);
 }
 
 TEST(Techniques, EveryRowWithAFileRunsOnTheCpu)
 {
-    const HeightField field = fieldOf(4, 4, [](int, int) { return 0.25f; });
+    const HeightField field = gridOf(4, 4, [](int, int) { return 0.25f; });
     const SearchRay rays[] = {{{0.1, 0.2}, {0.3, 0.1}, 0.8}};
     for (const TechniqueRow& row : kTechniques) {
         const auto hits = traceRays(row.key, Parameters(), &field, rays);
@@ -187,7 +187,7 @@ TEST(Techniques, FlatAndBumpStayOnThePolygon)
 
 TEST(Techniques, ParallaxShiftsByTheDepthUnderThePoint)
 {
-    const HeightField field = fieldOf(1, 1, [](int, int) { return 0.4f; });
+    const HeightField field = gridOf(1, 1, [](int, int) { return 0.4f; });
     const SearchRay rays[] = {{{0.5, 0.5}, {0.2, -0.1}, 0.5}};
     Parameters parameters;
     SearchHit hit = traceRays("parallax", parameters, &field, rays)->front();
@@ -201,7 +201,7 @@ TEST(Techniques, ParallaxShiftsByTheDepthUnderThePoint)
 
 TEST(Techniques, ReliefStepsFollowTheAngle)
 {
-    const HeightField ground = fieldOf(1, 1, [](int, int) { return 0.f; }); // hit at the last step only
+    const HeightField ground = gridOf(1, 1, [](int, int) { return 0.f; }); // hit at the last step only
     Parameters parameters;
     parameters.minSteps = 8, parameters.maxSteps = 32, parameters.refineSteps = 6;
     for (const auto& [cosine, steps] : {std::pair{1., 8}, {0.5, 20}, {1e-6, 32}}) {
@@ -217,7 +217,7 @@ TEST(Techniques, ReliefStepsFollowTheAngle)
 
 TEST(Techniques, ReliefFindsTheExactHitOfAGentleSurface)
 {
-    const HeightField field = fieldOf(64, 64,
+    const HeightField field = gridOf(64, 64,
         [](int x, int y) { return 0.5f + 0.25f * std::sin(6.2831853f * float(x) / 64.f) * std::cos(6.2831853f * float(y) / 64.f); });
     std::mt19937 random(3);
     std::vector<SearchRay> rays;
@@ -236,7 +236,7 @@ TEST(Techniques, ReliefFindsTheExactHitOfAGentleSurface)
 TEST(Techniques, ReliefStepsOverThinFeaturesAtGrazingAngles)
 {
     std::mt19937 random(5);
-    const HeightField needles = fieldOf(128, 128, [&](int, int) { return random() % 500 == 0 ? 1.f : 0.1f; });
+    const HeightField needles = gridOf(128, 128, [&](int, int) { return random() % 500 == 0 ? 1.f : 0.1f; });
     std::vector<SearchRay> rays;
     std::uniform_real_distribution<double> unit(0., 1.);
     for (int i = 0; i < 4000; ++i) {
@@ -259,8 +259,8 @@ TEST(Techniques, NothingButFiniteHitsForAnyFiniteRay)
 {
     std::mt19937 random(9);
     const float extremes[] = {0.f, -0.f, 1e-45f, 1e-30f, 0.5f, 1.f, -3.25f, 1e6f, -1e12f, 3e38f, -3e38f};
-    const HeightField fields[] = {randomField(random), fieldOf(1, 7, [](int, int y) { return float(y % 2); }),
-        fieldOf(
+    const HeightField fields[] = {randomField(random), gridOf(1, 7, [](int, int y) { return float(y % 2); }),
+        gridOf(
             5, 1, [](int x, int) { return float(x) / 4.f; }, Wrap::Clamp)};
     std::vector<SearchRay> rays;
     for (const float a : extremes)
@@ -281,7 +281,7 @@ TEST(Techniques, NothingButFiniteHitsForAnyFiniteRay)
 
 TEST(Techniques, RaysThatAreNotFiniteAreAnswered)
 {
-    const HeightField field = fieldOf(2, 2, [](int, int) { return 0.5f; });
+    const HeightField field = gridOf(2, 2, [](int, int) { return 0.5f; });
     const double inf = std::numeric_limits<double>::infinity();
     const SearchRay rays[] = {{{inf, 0.}, {0., 0.}, 1.}, {{0., 0.}, {std::nan(""), 0.}, 1.}, {{1e300, 0.}, {0., 0.}, 1.}};
     const auto hits = *traceRays("relief", Parameters(), &field, rays);
@@ -295,7 +295,7 @@ TEST(Techniques, CancelStopsWithAnError)
     stop.request_stop();
     Progress progress;
     progress.stop = stop.get_token();
-    const HeightField field = fieldOf(2, 2, [](int, int) { return 0.5f; });
+    const HeightField field = gridOf(2, 2, [](int, int) { return 0.5f; });
     const SearchRay rays[] = {{{0., 0.}, {1., 0.}, 1.}};
     const auto hits = traceRays("relief", Parameters(), &field, rays, progress);
     ASSERT_FALSE(hits);

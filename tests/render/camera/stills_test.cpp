@@ -66,8 +66,6 @@ private:
     Renderer m_renderer;
 };
 
-} // namespace
-
 TEST_F(Stills, TilesMakeTheWholePicture)
 {
     State state = stateOn("spheres");
@@ -172,3 +170,5 @@ TEST_F(Stills, MeteringMakesTheMeanMiddleGrey)
     state.parameters.lightIntensity = 0.f; // nothing to meter: black, and finite
     EXPECT_TRUE(drawn(state, {.view = "shaded", .width = 8, .height = 8}).value(4, 4, 0) == 0.f);
 }
+
+} // namespace

@@ -47,7 +47,6 @@ State wavesFromNear()
     p.depth = 0.15f, p.heightMips = p.mipMapping = false;
     return state;
 }
-} // namespace
 
 // On any turn and stretch of the texture: the map's azimuths are the texture's, not the mesh's.
 TEST_F(Horizons, ShadowsAreNearlyThoseOfTheSearch)
@@ -170,3 +169,5 @@ TEST_F(Horizons, AreUploadedOnlyWhenReadAndGoAgain)
     picture(renderer(), state, resources, "shaded");
     EXPECT_EQ(renderer().textureCount(), without);
 }
+
+} // namespace

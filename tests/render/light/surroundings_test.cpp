@@ -51,7 +51,6 @@ protected:
     State m_state;
     Parameters& p = m_state.parameters;
 };
-} // namespace
 
 TEST_F(Surroundings, EachEnvironmentLightsInItsWayAndTurns)
 {
@@ -159,3 +158,5 @@ TEST_F(Surroundings, DataViewsAndTheEyeBelowHaveNoFloor)
         EXPECT_EQ(below.value(60, y, 3), 0.f);
     EXPECT_FALSE(ofFirstPane(m_state).parameters.ground) << "what is measured has none";
 }
+
+} // namespace
