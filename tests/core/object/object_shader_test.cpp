@@ -25,14 +25,6 @@ std::vector<Solid> anySolids(Random& random, int count)
     return solids;
 }
 
-// A box of other sides than a cube's, turned, away from the origin.
-void place(ReliefObject& object)
-{
-    const glm::dvec3 x = glm::normalize(glm::dvec3(1., 2., 0.5)), y = glm::normalize(glm::cross(x, glm::dvec3(0., 0., 1.)));
-    object.center = {4., -2., 1.};
-    object.half = {1. * x, 0.5 * y, 1.5 * glm::cross(x, y)};
-}
-
 struct Compared {
     int hits = 0, wrong = 0, ties = 0;
     double fetches = 0.;

@@ -75,6 +75,14 @@ inline ReliefObject objectOf(const std::vector<Solid>& solids, int size, int lay
     return object;
 }
 
+// A box of 2 x 1 x 3 m, turned, away from the origin.
+inline void place(ReliefObject& object)
+{
+    const glm::dvec3 x = glm::normalize(glm::dvec3(1., 2., 0.5)), y = glm::normalize(glm::cross(x, glm::dvec3(0., 0., 1.)));
+    object.center = {4., -2., 1.};
+    object.half = {1. * x, 0.5 * y, 1.5 * glm::cross(x, y)};
+}
+
 // Evenly over the sphere.
 inline glm::dvec3 evenDirection(std::mt19937& random)
 {

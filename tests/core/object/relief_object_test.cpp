@@ -26,14 +26,6 @@ glm::dvec3 anyDirection(Random& random)
     }
 }
 
-// A box of 2 x 1 x 3 m, turned, away from the origin.
-void place(ReliefObject& object)
-{
-    const glm::dvec3 x = glm::normalize(glm::dvec3(1., 2., 0.5)), y = glm::normalize(glm::cross(x, glm::dvec3(0., 0., 1.)));
-    object.center = {4., -2., 1.};
-    object.half = {1. * x, 0.5 * y, 1.5 * glm::cross(x, y)};
-}
-
 ReliefObject fullBox()
 {
     ReliefObject object;

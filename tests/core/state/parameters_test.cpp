@@ -7,6 +7,7 @@
 #include "core/state/state.h"
 #include "core/state/techniques.h"
 #include "core/state/views.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
@@ -46,8 +47,9 @@ TEST(Tables, TechniquesListParametersThatAreShownByThem)
 {
     for (const ParameterRow& row : kParameters) {
         bool listed = false;
-        for (const TechniqueRow& technique : kTechniques)
-            listed = listed || technique.parameters.contains(row);
+        const auto list = [&](const TechniqueRow& technique) { listed = listed || technique.parameters.contains(row); };
+        std::ranges::for_each(kTechniques, list);
+        std::ranges::for_each(kObjectTechniques, list);
         EXPECT_EQ(listed, row.shown.byTechnique) << row.key;
         if (row.affects.contains(Affects::Search)) {
             EXPECT_TRUE(listed) << row.key;
