@@ -71,7 +71,7 @@ double exact(dvec2 alpha, dvec3 eye, dvec3 light)
 }
 
 // The mean of `lit` over light from all around.
-template <class Lit> double albedo(Lit lit)
+template <class Lit> double meanOver(Lit lit)
 {
     constexpr int kRings = 300, kTurns = 600;
     double sum = 0.;
@@ -163,7 +163,7 @@ TEST(Stretch, WhiteMetalLosesLittle)
                 double mean = 0.;
                 for (const double yaw : {0., 0.5 * kQuarter, kQuarter}) {
                     const vec3 eye = leaning(nv, yaw);
-                    mean += (yaw == 0.5 * kQuarter ? 2. : 1.) / 4. * albedo([&](vec3 light) { return metal.lit(eye, light); });
+                    mean += (yaw == 0.5 * kQuarter ? 2. : 1.) / 4. * meanOver([&](vec3 light) { return metal.lit(eye, light); });
                     const Brushed::Surface surface{.frame = {}, .hit = {}, .toEye = eye};
                     EXPECT_NEAR(metal.bodyAround(surface, metal.shadingPointOf(surface)).y, 1.f, 0.01f);
                 }

@@ -105,7 +105,6 @@ protected:
     Expected<WindowlessContext> m_context = WindowlessContext::create();
     Renderer m_renderer;
 };
-} // namespace
 
 TEST_F(GlowTest, ALampKeepsItsLight)
 {
@@ -271,3 +270,5 @@ TEST_F(GlowTest, TilesHaveNoSeams)
         for (int x = 0; x < whole.width; ++x)
             ASSERT_NEAR(tiled.value(x, y, 0), whole.value(x, y, 0), 0.01f + 0.02f * whole.value(x, y, 0)) << x << ' ' << y;
 }
+
+} // namespace
