@@ -27,6 +27,7 @@ protected:
     }
     bool says(const char* text) { return window.messageLine().text().contains(text); }
 };
+} // namespace
 
 TEST_F(ExportTest, ItCanBeStopped)
 {
@@ -124,5 +125,3 @@ TEST_F(ExportTest, ItSaysBeforehandWhatTheEngineWillDraw)
     dialog.setTarget("gltf"); // glTF: no engine is behind it
     EXPECT_TRUE(waitFor([&] { return drawing.text().isEmpty(); }));
 }
-
-} // namespace

@@ -29,6 +29,7 @@ protected:
     }
     static void release(QWidget& widget, int key) { QTest::keyRelease(&widget, Qt::Key(key)); }
 };
+} // namespace
 
 TEST_F(KeysTest, TheViewsAndTechniquesHaveTheirKeysAfterTheMenuWasOpenToo)
 {
@@ -134,5 +135,3 @@ TEST_F(KeysTest, TheManualIsReadInTheWindow)
     EXPECT_EQ(window.findChildren<QDialog*>("manual").size(), 1) << "one is enough";
     manual->close();
 }
-
-} // namespace

@@ -32,6 +32,7 @@ protected:
         window.document().edit("Kind", [&](State& state) { assign(state, *findParameter(key), int(kind), kAllPanes); });
     }
 };
+} // namespace
 
 TEST(LightPlaces, AHandleIsWhereTheHandBringsItsLight)
 {
@@ -177,7 +178,5 @@ TEST_F(LightsTest, LightsAndCameraTurnByThemselvesWithoutSteps)
     EXPECT_EQ(same, was) << "but the moment nothing has changed";
     EXPECT_TRUE(waitFor([&] { return window.viewport().isFull(); })) << "at rest again";
 }
-
-} // namespace
 
 } // namespace relievo

@@ -43,6 +43,7 @@ double contrast(const QColor& a, const QColor& b)
     const double one = luminance(a), other = luminance(b);
     return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
 }
+} // namespace
 
 TEST_F(LookTest, ANewDocumentIsASphereWithTrueSilhouettes)
 {
@@ -281,5 +282,3 @@ TEST_F(LookTest, BoxesShowOwnIcons)
     EXPECT_EQ(QApplication::style()->standardIcon(QStyle::SP_DirIcon).pixmap(16).toImage(), icon("folder").pixmap(16).toImage());
     EXPECT_EQ(QApplication::style()->standardIcon(QStyle::SP_MessageBoxWarning).pixmap(16).toImage(), icon("warning").pixmap(16).toImage());
 }
-
-} // namespace

@@ -71,6 +71,7 @@ protected:
         QTest::keyClicks(field, text);
     }
 };
+} // namespace
 
 TEST_F(SavingTest, ANumberBeingTypedIsSaved)
 {
@@ -301,5 +302,3 @@ TEST_F(SavingTest, ClosingAsksAboutARunningExport)
     window.close();
     EXPECT_FALSE(window.isVisible()) << "nothing runs and nothing is unsaved";
 }
-
-} // namespace

@@ -32,6 +32,7 @@ protected:
         return found == boxes.end() ? nullptr : *found;
     }
 };
+} // namespace
 
 TEST_F(TellingTest, AnErrorStandsNearTheDropThatItCameFrom)
 {
@@ -135,5 +136,3 @@ TEST_F(TellingTest, MissingFoldersOfExportsAreMade)
         dialog.close();
     }
 }
-
-} // namespace

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const std::string kSource = "sample:bricks@64 ";
 const std::string kSmall = " --size 32x24 --samples 1 ";
 
 void write(const std::string& file, const Image& image)

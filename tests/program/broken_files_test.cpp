@@ -159,6 +159,8 @@ void expectPicture(const fs::path& picture, const fs::path& file)
 
 class BrokenFolder : public testing::TestWithParam<std::string> { };
 
+} // namespace
+
 TEST(BrokenFiles, AreThere)
 {
     if (folders().empty())
@@ -229,5 +231,3 @@ TEST(BrokenFiles, NastyFloatsAreRepairedAndTold)
     for (const char* name : {"t05.exr", "t09.exr"})
         EXPECT_NE(runRelievo("info " + quoted(nasty / name), kSeconds).out.find("display window"), std::string::npos) << name;
 }
-
-} // namespace

@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const std::string kSource = "sample:bricks@64 ";
+
 bool isPng(const std::string& file)
 {
     const auto text = relievo::readText(file);

@@ -13,14 +13,14 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
-const std::string kHardSource = "hard:bricks@48 ";
+const std::string kSource = "hard:bricks@48 ";
 }
 
 TEST(Measuring, ReportInAllForms)
 {
     TestFolder folder("report");
     const std::string options = " --fast --rays 60 --techniques parallax,relief --quiet";
-    ProgramRun run = runRelievo("report " + kHardSource + "-o " + (folder / "r.json") + options);
+    ProgramRun run = runRelievo("report " + kSource + "-o " + (folder / "r.json") + options);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const json report = json::parse(*relievo::readText(folder / "r.json"));
     EXPECT_EQ(report["title"], "Rough bricks");
@@ -34,13 +34,13 @@ TEST(Measuring, ReportInAllForms)
     // More steps come closer to the exact picture.
     EXPECT_GT(report["pictures"][8 * 3 + 2]["flip"].get<double>(), report["pictures"].back()["flip"].get<double>());
 
-    run = runRelievo("report " + kHardSource + "--no-pictures --json --angles 0-10,85-89 -o " + (folder / "r.html") + options);
+    run = runRelievo("report " + kSource + "--no-pictures --json --angles 0-10,85-89 -o " + (folder / "r.html") + options);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_EQ(json::parse(run.out)["rays"], 16);
     const std::string html = *relievo::readText(folder / "r.html");
     EXPECT_NE(html.find("85\u201389\u00b0"), html.npos);
     EXPECT_NE(html.find("data:image/png;base64,iVBORw0KGgo"), html.npos); // heat maps, without a context too
-    run = runRelievo("report " + kHardSource + "--no-pictures -o " + (folder / "r.csv") + options);
+    run = runRelievo("report " + kSource + "--no-pictures -o " + (folder / "r.csv") + options);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_TRUE(relievo::readText(folder / "r.csv")->starts_with("technique,setting,field,view,rays,wrong,ties,meanFetches,"));
 }
@@ -53,15 +53,14 @@ TEST(Measuring, PicturesAreOfThePlaneAtFullResolution)
         << R"({"relievo":1,"mesh":"sphere","panes":[{"technique":"relief","overrides":{"heightMips":true,"tiling":1}}]})";
     const auto flip = [&](const std::string& state) {
         const ProgramRun run
-            = runRelievo("report " + kHardSource + state + "--fast --rays 20 --techniques parallax --quiet -o " + (folder / "r.json"));
+            = runRelievo("report " + kSource + state + "--fast --rays 20 --techniques parallax --quiet -o " + (folder / "r.json"));
         EXPECT_EQ(run.exitCode, 0) << run.err;
         return json::parse(*relievo::readText(folder / "r.json"))["pictures"].back()["flip"].get<double>();
     };
     const double wanted = flip("");
     EXPECT_NEAR(flip("--preset " + (folder / "p.relievo") + ' '), wanted, 1e-6);
     const auto error = [&](const std::string& state) {
-        const ProgramRun run
-            = runRelievo("tune " + kHardSource + state + "--metric pixels --max-error 100 --rays 20 --techniques flat --json");
+        const ProgramRun run = runRelievo("tune " + kSource + state + "--metric pixels --max-error 100 --rays 20 --techniques flat --json");
         EXPECT_EQ(run.exitCode, 0) << run.err;
         return json::parse(run.out)["error"].get<double>();
     };
@@ -95,7 +94,7 @@ TEST(Measuring, QuotesInNamesStayInTheirField)
 TEST(Measuring, ReportOnAMesh)
 {
     TestFolder folder("report");
-    const std::string command = "report " + kHardSource + "--mesh box --fast --rays 10 --techniques bump --quiet -o ";
+    const std::string command = "report " + kSource + "--mesh box --fast --rays 10 --techniques bump --quiet -o ";
     ProgramRun run = runRelievo(command + (folder / "r.json"));
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const json mesh = json::parse(*relievo::readText(folder / "r.json"))["mesh"];
@@ -194,8 +193,8 @@ TEST(Measuring, EqualSeedsGiveEqualReports)
 {
     TestFolder folder("seeds");
     const auto text = [&](const std::string& seed) {
-        const ProgramRun run = runRelievo(
-            "report " + kHardSource + "--no-pictures --techniques relief --rays 50 --seed " + seed + " -o " + (folder / "r.csv"));
+        const ProgramRun run
+            = runRelievo("report " + kSource + "--no-pictures --techniques relief --rays 50 --seed " + seed + " -o " + (folder / "r.csv"));
         EXPECT_EQ(run.exitCode, 0) << run.err;
         return *relievo::readText(folder / "r.csv");
     };
@@ -207,7 +206,7 @@ TEST(Measuring, TuneProvesWhatItChooses)
 {
     TestFolder folder("tune");
     ProgramRun run = runRelievo(
-        "tune " + kHardSource + "--techniques parallax,relief --max-error 0.2 --max-missed 60 --json -o " + (folder / "p.relievo"));
+        "tune " + kSource + "--techniques parallax,relief --max-error 0.2 --max-missed 60 --json -o " + (folder / "p.relievo"));
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const json tuned = json::parse(run.out);
     EXPECT_EQ(tuned["found"], true);
@@ -233,7 +232,7 @@ TEST(Measuring, EnginesHaveATableOfTheirOwn)
     TestFolder folder("engines");
     const auto report = [&](const std::string& options) {
         const ProgramRun run
-            = runRelievo("report " + kHardSource + "--no-pictures --rays 20 --quiet " + options + " -o " + (folder / "r.json"));
+            = runRelievo("report " + kSource + "--no-pictures --rays 20 --quiet " + options + " -o " + (folder / "r.json"));
         EXPECT_EQ(run.exitCode, 0) << run.err;
         return json::parse(*relievo::readText(folder / "r.json"));
     };
@@ -254,11 +253,11 @@ TEST(Measuring, EnginesHaveATableOfTheirOwn)
 
 TEST(Measuring, EnginesAreTunedOnlyByName)
 {
-    ProgramRun run = runRelievo("tune " + kHardSource + "--rays 20 --max-error 1 --max-missed 100 --json");
+    ProgramRun run = runRelievo("tune " + kSource + "--rays 20 --max-error 1 --max-missed 100 --json");
     ASSERT_EQ(run.exitCode, 0) << run.err;
     for (const json& tried : json::parse(run.out)["tried"])
         EXPECT_FALSE(tried["technique"].get<std::string>().starts_with("as-"));
-    run = runRelievo("tune " + kHardSource + "--rays 20 --max-error 1 --max-missed 100 --json --techniques as-bevy");
+    run = runRelievo("tune " + kSource + "--rays 20 --max-error 1 --max-missed 100 --json --techniques as-bevy");
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_EQ(json::parse(run.out)["technique"], "as-bevy");
 }
@@ -266,7 +265,7 @@ TEST(Measuring, EnginesAreTunedOnlyByName)
 TEST(Measuring, TuneOnPictures)
 {
     for (const char* metric : {"pixels --max-error 4", "flip --max-error 0.2"}) {
-        const ProgramRun run = runRelievo("tune " + kHardSource + "--techniques flat,relief --rays 50 --json --metric " + metric);
+        const ProgramRun run = runRelievo("tune " + kSource + "--techniques flat,relief --rays 50 --json --metric " + metric);
         ASSERT_EQ(run.exitCode, 0) << run.err;
         const json tuned = json::parse(run.out);
         EXPECT_EQ(tuned["technique"], "relief") << metric;
@@ -289,14 +288,14 @@ TEST(Measuring, TuneWithoutAnAnswerIsThree)
         = runRelievo("tune sample:bricks@64 --metric flip --max-error 0.0001 --max-missed 5 --techniques relief --rays 100");
     EXPECT_EQ(best.exitCode, 3);
     EXPECT_EQ(best.out.find(" -  "), std::string::npos) << best.out; // not a setting whose error nobody asked for
-    EXPECT_EQ(runRelievo("tune " + kHardSource + "--techniques relief --max-error 0.5 --max-fetches 1").exitCode, 3);
+    EXPECT_EQ(runRelievo("tune " + kSource + "--techniques relief --max-error 0.5 --max-fetches 1").exitCode, 3);
 }
 
 TEST(Measuring, CompareWritesASheet)
 {
     TestFolder folder("compare");
     const ProgramRun run = runRelievo(
-        "compare " + kHardSource + "--techniques flat,parallax,relief --json -o " + (folder / "s.png") + " --csv " + (folder / "s.csv"));
+        "compare " + kSource + "--techniques flat,parallax,relief --json -o " + (folder / "s.png") + " --csv " + (folder / "s.csv"));
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_TRUE(relievo::readText(folder / "s.png")->starts_with("\x89PNG"));
     const json cells = json::parse(run.out)["techniques"];
@@ -316,18 +315,18 @@ TEST(Measuring, WrongInputIsToldInOneSentence)
 {
     TestFolder folder("wrong");
     const std::string out = " -o " + (folder / "x.json"), sheet = " -o " + (folder / "x.png");
-    for (const auto& [arguments, code] : std::vector<std::pair<std::string, int>>{{"report" + out, 2}, {"report " + kHardSource, 2},
-             {"report " + kHardSource + "-o x.gif", 2}, {"report " + kHardSource + out + " --techniques magic", 2},
-             {"report " + kHardSource + out + " --techniques reference", 2}, {"report " + kHardSource + out + " --angles 10", 2},
-             {"report " + kHardSource + out + " --angles 80-60", 2}, {"report " + kHardSource + out + " --angles 0-90", 2},
-             {"report " + kHardSource + "sample:nothing" + out, 1}, {"report " + kHardSource + out + " --size 64", 2},
-             {"report " + kHardSource + out + " --far-views --no-pictures", 2}, {"report " + kHardSource + out + " --rays 0", 2},
-             {"report hard:nothing" + out, 1}, {"tune " + kHardSource, 2}, {"tune " + kHardSource + "--max-error -1", 2},
-             {"tune " + kHardSource + "--max-error 1 --metric taste", 2}, {"tune " + kHardSource + "--max-error 1 --max-missed 101", 2},
-             {"tune " + kHardSource + "--max-error 1 -o x.png", 2}, {"tune " + kHardSource + "--max-error nan", 2},
-             {"tune " + kHardSource + "--max-error 1 --max-missed nan", 2}, {"tune none.png --max-error 1", 1},
-             {"compare " + kHardSource, 2}, {"compare " + kHardSource + "-o x.jpg", 2},
-             {"compare " + kHardSource + sheet + " --techniques relief,magic", 2}, {"compare none.png" + sheet, 1}}) {
+    for (const auto& [arguments, code] :
+        std::vector<std::pair<std::string, int>>{{"report" + out, 2}, {"report " + kSource, 2}, {"report " + kSource + "-o x.gif", 2},
+            {"report " + kSource + out + " --techniques magic", 2}, {"report " + kSource + out + " --techniques reference", 2},
+            {"report " + kSource + out + " --angles 10", 2}, {"report " + kSource + out + " --angles 80-60", 2},
+            {"report " + kSource + out + " --angles 0-90", 2}, {"report " + kSource + "sample:nothing" + out, 1},
+            {"report " + kSource + out + " --size 64", 2}, {"report " + kSource + out + " --far-views --no-pictures", 2},
+            {"report " + kSource + out + " --rays 0", 2}, {"report hard:nothing" + out, 1}, {"tune " + kSource, 2},
+            {"tune " + kSource + "--max-error -1", 2}, {"tune " + kSource + "--max-error 1 --metric taste", 2},
+            {"tune " + kSource + "--max-error 1 --max-missed 101", 2}, {"tune " + kSource + "--max-error 1 -o x.png", 2},
+            {"tune " + kSource + "--max-error nan", 2}, {"tune " + kSource + "--max-error 1 --max-missed nan", 2},
+            {"tune none.png --max-error 1", 1}, {"compare " + kSource, 2}, {"compare " + kSource + "-o x.jpg", 2},
+            {"compare " + kSource + sheet + " --techniques relief,magic", 2}, {"compare none.png" + sheet, 1}}) {
         const ProgramRun run = runRelievo(arguments);
         EXPECT_EQ(run.exitCode, code) << arguments << run.err;
         EXPECT_FALSE(run.err.empty()) << arguments;

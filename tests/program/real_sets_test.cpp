@@ -52,6 +52,8 @@ const std::vector<std::string> kSoonReady
 
 class RealSet : public testing::TestWithParam<std::string> { };
 
+} // namespace
+
 TEST(RealSets, AreThere)
 {
     if (setNames().empty())
@@ -147,5 +149,3 @@ INSTANTIATE_TEST_SUITE_P(Materials, RealSet, testing::ValuesIn(setNames()), [](c
     return name;
 });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(RealSet);
-
-} // namespace

@@ -10,8 +10,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-inline const std::string kSource = "sample:bricks@64 ";
-
 struct ProgramRun {
     int exitCode = -1;
     std::string out, err;

@@ -101,6 +101,7 @@ protected:
     }
     QString found() { return tune().findChild<QLabel*>("found")->text(); }
 };
+} // namespace
 
 TEST_F(DecideTest, APointIsClickedAndTakenBack)
 {
@@ -307,7 +308,5 @@ TEST_F(DecideTest, AReportIsStoppedAndLeavesNothing)
     ASSERT_TRUE(waitFor([&] { return !run.busy(); }, kLong));
     EXPECT_TRUE(window.messageLine().text().contains(".html, .json or .csv")) << window.messageLine().text().toStdString();
 }
-
-} // namespace
 
 #include "decide_test.moc"

@@ -50,6 +50,7 @@ protected:
     }
     FileManager manager;
 };
+} // namespace
 
 TEST_F(AgainTest, WithoutALastTimeTheDialogIsShown)
 {
@@ -146,7 +147,5 @@ TEST_F(AgainTest, TheFolderOpens)
     QTest::mouseClick(offer, Qt::LeftButton);
     EXPECT_EQ(manager.opened.size(), 2);
 }
-
-} // namespace
 
 #include "again_test.moc"

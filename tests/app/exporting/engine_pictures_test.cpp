@@ -43,6 +43,7 @@ protected:
         return sum / (double(a.width()) * a.height());
     }
 };
+} // namespace
 
 TEST_F(EnginePicturesTest, TheEnginesStandsBesideOurs)
 {
@@ -118,5 +119,3 @@ TEST_F(EnginePicturesTest, TheEngineGetsTheHeightsThatAreWritten)
     EXPECT_GT(difference(stretched, engines()), 0.5);
     EXPECT_LT(difference(before, ours()), 0.01) << "ours has nothing to do with it";
 }
-
-} // namespace

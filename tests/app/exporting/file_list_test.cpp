@@ -27,6 +27,7 @@ protected:
         ASSERT_TRUE(waitFor([&] { return !files().busy(); }));
     }
 };
+} // namespace
 
 TEST_F(FileListTest, TheyAreNamedBeforeAndMeasuredAfterwards)
 {
@@ -98,5 +99,3 @@ TEST_F(FileListTest, GuessesFollowTheSizeOfTheTextures)
         EXPECT_GT(sum(0), sum(32)) << target;
     }
 }
-
-} // namespace

@@ -49,6 +49,7 @@ protected:
 private:
     QByteArray m_before;
 };
+} // namespace
 
 TEST_F(OwnTargetsTest, OneIsAddedChosenAndExported)
 {
@@ -128,5 +129,3 @@ TEST_F(OwnTargetsTest, WhatIsThereAlreadyIsAskedFor)
     targets().add(file("no_such_file.json"));
     EXPECT_TRUE(result(*window.findChild<ExportDialog*>()).text().contains("no_such_file.json"));
 }
-
-} // namespace

@@ -46,6 +46,7 @@ protected:
     static QString fault(PackingEditor& editor, int row) { return table(editor).cellWidget(row, Fault)->toolTip(); }
     static bool canSave(PackingEditor& editor) { return editor.findChild<QPushButton*>("save")->isEnabled(); }
 };
+} // namespace
 
 TEST_F(PackingTest, AFileTakesThePlaceOfTheTargetsTextures)
 {
@@ -154,5 +155,3 @@ TEST_F(PackingTest, AFolderThatCannotBeWrittenToIsTold)
     EXPECT_TRUE(editor.findChild<QLabel*>("fault")->text().contains("/proc/none"));
     EXPECT_TRUE(editor.isVisible());
 }
-
-} // namespace

@@ -33,6 +33,7 @@ protected:
     }
     Switch& cure(const char* word) { return *window.findChild<Switch*>(QString("cure-") + word); }
 };
+} // namespace
 
 TEST_F(TargetListTest, EachTargetStandsInAGroupWithIconAndSentence)
 {
@@ -199,5 +200,3 @@ TEST(Cures, TheyAreUsedByTheTargetsThatHoldWhatTheyCure)
     const auto packing = parseTarget(R"({"textures": [{"key": "a", "file": "a.png", "channels": ["roughness"]}]})", "a.json", false);
     EXPECT_TRUE(curesUsedBy(*findExport("bevy"), &*packing).empty());
 }
-
-} // namespace

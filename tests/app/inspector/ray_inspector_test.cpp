@@ -48,6 +48,7 @@ protected:
         ASSERT_TRUE(waitFor([&] { return !inspector().busy() && !inspector().inspected().panes.empty(); }));
     }
 };
+} // namespace
 
 TEST_F(InspectorTest, AClickShowsTheSearchOfEachPane)
 {
@@ -135,5 +136,3 @@ TEST_F(InspectorTest, StepsAreScrubbedAndCopied)
             action->trigger();
     EXPECT_TRUE(QApplication::clipboard()->text().contains("<svg"));
 }
-
-} // namespace

@@ -28,6 +28,7 @@ protected:
     bool isDrawn(MapKind kind) { return !drawnSlots()[std::size_t(kind)].empty(); }
     State drawn;
 };
+} // namespace
 
 TEST_F(EarlyTest, HeightsAreDrawnFirstAndTheDocumentStays)
 {
@@ -120,5 +121,3 @@ TEST(MapsToCome, EachKindHasAStandIn)
     EXPECT_LT(whole->map(MapKind::Normal)->value(8, 8, 0), 0.49f) << "leans against the rise";
     EXPECT_EQ(withMapsToCome(material, {}, 0.1f)->map(MapKind::Color), nullptr);
 }
-
-} // namespace

@@ -32,6 +32,7 @@ protected:
     }
     bool says(const char* text) { return window.messageLine().text().contains(text); }
 };
+} // namespace
 
 TEST_F(LoadingTest, ASceneAsksBeforeWorkIsLost)
 {
@@ -362,5 +363,3 @@ TEST(Editor, AStateThatCannotBeReadIsToldAndEndsIt)
     EXPECT_EQ(editor.exitCode(), 1);
     EXPECT_TRUE(editor.readAllStandardError().contains("state.json"));
 }
-
-} // namespace

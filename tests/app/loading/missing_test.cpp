@@ -54,6 +54,7 @@ protected:
     }
     std::size_t triangles() { return window.assets().resources().mesh->indices.size() / 3; }
 };
+} // namespace
 
 TEST_F(MissingTest, AProjectWithoutItsMeshAndPanoramaOpens)
 {
@@ -198,5 +199,3 @@ TEST_F(MissingTest, ANameWithinAnotherIsNotIt)
     EXPECT_TRUE(says("a.png.old"));
     EXPECT_TRUE(window.assets().upToDate());
 }
-
-} // namespace

@@ -44,6 +44,7 @@ protected:
 private:
     QList<QPushButton*> buttons() { return window.messageLine().findChild<QWidget*>("choices")->findChildren<QPushButton*>(); }
 };
+} // namespace
 
 // The exported mesh has the tiling in its UVs: were the window's taken too, the tiles would be nine.
 TEST_F(OpeningTest, AnOwnExportOpenedAgainIsTheSamePicture)
@@ -175,5 +176,3 @@ TEST_F(OpeningTest, AFolderOfManySetsOffersAList)
     settle();
     EXPECT_EQ(heights(), file("sets/other/door_height.png").toStdString());
 }
-
-} // namespace

@@ -47,6 +47,7 @@ protected:
     std::size_t triangles() { return window.assets().resources().mesh->indices.size() / 3; }
 };
 const char* const kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl wood\nf 1/1 2/2 3/3\n";
+} // namespace
 
 TEST_F(OutsideTest, AMapThatIsOverwrittenIsReadAgain)
 {
@@ -215,5 +216,3 @@ TEST(FileWatch, LooksWhereTheSystemDoesNotTell)
     QTest::qWait(2500);
     EXPECT_EQ(told, 1);
 }
-
-} // namespace

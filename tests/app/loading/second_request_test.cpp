@@ -16,6 +16,7 @@ protected:
         window.document().edit("Steps", [maxSteps](State& s) { s.parameters.maxSteps = maxSteps; });
     }
 };
+} // namespace
 
 TEST_F(SecondRequest, AnEditComesToTheDocumentThatIsBeingOpened)
 {
@@ -108,5 +109,3 @@ TEST_F(SecondRequest, WhatIsOpenedAfterAFirstSourceThatFailsStays)
     ASSERT_TRUE(waitFor([&] { return other.assets().ready() && !other.assets().background().busy(); }));
     EXPECT_EQ(other.document().state().name, "Terrain");
 }
-
-} // namespace

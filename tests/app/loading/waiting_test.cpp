@@ -39,6 +39,7 @@ protected:
     void chooseAgain() { chooseInCaption("technique", state().panes[0].technique.c_str()); }
 };
 constexpr const char* kTracing = "against the flat relief until";
+} // namespace
 
 TEST_F(WaitingTest, TheErrorSaysThatTheMeshIsBeingTraced)
 {
@@ -171,5 +172,3 @@ TEST(MessagesTest, TheNewestErrorIsToldFirst)
     EXPECT_TRUE(all[1].text.contains("older"));
     EXPECT_TRUE(all[3].isNotice);
 }
-
-} // namespace

@@ -35,6 +35,7 @@ protected:
         QTest::keyClick(&query_line, Qt::Key_Return);
     }
 };
+} // namespace
 
 TEST_F(PaletteTest, FindsEveryRowByItsName)
 {
@@ -115,5 +116,3 @@ TEST_F(PaletteTest, IsDrivenByKeysAlone)
     QTest::keyClick(&shown, Qt::Key_Escape);
     EXPECT_FALSE(shown.isVisible());
 }
-
-} // namespace

@@ -30,6 +30,7 @@ protected:
         return texts;
     }
 };
+} // namespace
 
 TEST_F(FirstHourTest, EachStepFollowsFromTheOneBefore)
 {
@@ -93,5 +94,3 @@ TEST_F(FirstHourTest, EachStepFollowsFromTheOneBefore)
     see("8-changed-outside");
     EXPECT_TRUE(told().join('\n').contains("changed outside")) << told().join('\n').toStdString();
 }
-
-} // namespace

@@ -43,6 +43,7 @@ protected:
         return *new QMenu;
     }
 };
+} // namespace
 
 TEST_F(TrialTest, TheWheelOverAListScrollsThePanelAndChangesNothing)
 {
@@ -271,5 +272,3 @@ TEST_F(TrialTest, ListsAndMenusExplainTheirRows)
     }
     EXPECT_EQ(found, 4);
 }
-
-} // namespace

@@ -50,6 +50,7 @@ protected:
         return told.is_object() ? told["hit"].value("t", std::nan("")) : std::nan("");
     }
 };
+} // namespace
 
 TEST_F(WalkTest, FromASetToAnExportedChoice)
 {
@@ -130,5 +131,3 @@ TEST_F(WalkTest, FromASetToAnExportedChoice)
     EXPECT_EQ(state().panes, chosen.panes);
     EXPECT_EQ(state().parameters, chosen.parameters);
 }
-
-} // namespace
